@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ar/capture/frame.h"
+
+namespace ar {
+
+struct Rational {
+  int num = 0;
+  int den = 1;
+};
+
+// Where and when a recording was made, as far as its metadata tells.
+struct RecordedAt {
+  std::optional<double> latitude_deg;
+  std::optional<double> longitude_deg;
+  std::optional<double> height_m;
+  std::optional<std::chrono::sys_time<std::chrono::microseconds>> time;  // of the first frame, UTC
+};
+
+struct SourceInfo {
+  std::string name;  // file or device, for messages
+  PixelFormat format;
+  Rational time_base{1, 1000};
+  Rational frame_rate{0, 1};    // 0: unknown
+  Rational sample_aspect{1, 1};  // of the upright picture
+  std::optional<std::int64_t> frame_count;  // as the container tells, for progress; may be wrong
+  std::optional<double> duration_s;
+  int rotation_deg = 0;  // rotation that was applied, clockwise: 0, 90, 180, 270
+  RecordedAt recorded;
+  std::string codec;
+};
+
+// A stream of upright frames.
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+  virtual const SourceInfo& info() const = 0;
+  // The next frame, or nothing at the end. A damaged part inside is skipped, counted and logged; throws InputError
+  // when nothing more can be read although the container promises more (truncation is logged, not thrown).
+  virtual std::optional<Frame> next() = 0;
+};
+
+struct OpenOptions {
+  bool tone_map_hdr = false;          // otherwise PQ and HLG are refused with InputError
+  double image_frame_rate = 25.0;     // of an image sequence
+  int threads = 0;                    // decoder threads, 0: as many as the machine has
+};
+
+// Opens a video file, one picture, a printf or glob pattern of pictures ("shot_%04d.png", "shots/*.jpg") or a folder of
+// pictures. Throws InputError that names the file and what is wrong (missing, empty, no video stream, unknown codec).
+std::unique_ptr<FrameSource> open_source(const std::string& path_or_pattern, const OpenOptions& options = {});
+
+}  // namespace ar

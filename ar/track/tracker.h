@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <vector>
+
+#include "ar/track/camera.h"
+#include "ar/track/detector.h"
+#include "ar/track/tag_map.h"
+
+namespace ar {
+
+enum class TrackState { Lost, Predicted, Tracking };
+const char* to_string(TrackState state);
+
+// What the tracker knows of one frame.
+struct Track {
+  TrackState state = TrackState::Lost;
+  Rigid3 world_from_camera;                    // valid unless Lost
+  cv::Matx66d covariance = cv::Matx66d::zeros();  // of (rotation vector rad, position m) in the world
+  double rms_px = 0.0;                         // reprojection of all used corners, this frame's pose as given out
+  std::vector<int> tag_ids;                    // used in this frame
+};
+
+struct TrackerOptions {
+  DetectorOptions detector;
+  bool smooth = true;
+  double predict_for_s = 0.25;  // how long a pose is carried on without a tag before the state is Lost
+};
+
+// Camera pose from the tags of a map. Frames in order of time.
+class Tracker {
+ public:
+  Tracker(CameraModel camera, TagMap map, TrackerOptions options = {});
+  ~Tracker();
+  Track track(const Frame& frame);
+  // Detections of the last frame, known tags or not.
+  const std::vector<Detection>& detections() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// Pose of a camera from known tags in one picture; nothing when no known tag is among them. With one tag both planar
+// solutions are tried and the better kept; `near` breaks a tie.
+struct PoseEstimate {
+  Rigid3 world_from_camera;
+  cv::Matx66d covariance;
+  double rms_px = 0.0;
+  double second_best_rms_px = 0.0;  // of the other planar solution; 0 where there is none
+  std::vector<int> tag_ids;
+};
+std::optional<PoseEstimate> estimate_pose(const CameraModel& camera, const TagMap& map,
+                                          const std::vector<Detection>& detections,
+                                          const std::optional<Rigid3>& near_world_from_camera = std::nullopt);
+
+}  // namespace ar

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+
+namespace render {
+
+// Phase functions, each integrating to 1 over the sphere. cos_theta is the cosine between the light's direction of
+// travel and the direction from the scattering point to the eye: g > 0 is bright when looking towards the light.
+enum class PhaseFunction { HenyeyGreenstein, CornetteShanks, Rayleigh };
+double phase(PhaseFunction function, double g, double cos_theta);
+
+// An axis-aligned box in the world, metres.
+struct Box {
+  glm::dvec3 min_in_world{0.0};
+  glm::dvec3 max_in_world{0.0};
+};
+
+// A homogeneous participating medium (DESIGN.md section 5).
+struct Medium {
+  double extinction_per_m = 0.0;  // sigma_t, >= 0
+  double albedo = 0.95;           // sigma_s / sigma_t, [0, 1]
+  PhaseFunction phase_function = PhaseFunction::HenyeyGreenstein;
+  double g = 0.7;             // (-1, 1)
+  std::optional<Box> extent;  // absent: unbounded
+};
+
+// sigma_t = 2.996 / visibility (5 % contrast).
+double extinction_from_visibility(double visibility_m);
+
+// Closed form for an unoccluded homogeneous stretch: integral of sigma_t T(t) dt from 0 to d = 1 - exp(-sigma_t d),
+// accurate for sigma_t d -> 0.
+double scattered_fraction(double extinction_per_m, double distance_m);
+
+}  // namespace render

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/plan/scene_state.h"
+
+namespace render {
+
+enum class PassKind { Upload, SunShadow, Objects, Shafts, Composite, Read };
+
+// How the shafts are to be computed, as `--shafts NAME[:key=value,...]` says.
+struct ShaftSettings {
+  std::string technique = "auto";  // auto, closed-form, march
+  int steps = 64;
+  int divisor = 2;  // shafts are computed at 1/divisor of the picture's width and height, then upsampled by depth
+};
+
+struct Pass {
+  PassKind kind;
+  std::string name;      // as in `render --json`: "shadow", "objects", "shafts", "composite", ...
+  std::string settings;  // for people
+  std::string reason;    // why this scene needs it
+};
+
+struct Omission {
+  std::string name;
+  std::string reason;  // why this scene does not need it
+};
+
+// What one frame runs. A pass without a reason is not there.
+struct Plan {
+  std::vector<Pass> passes;
+  std::vector<Omission> omitted;
+  ShaftSettings shafts;  // resolved: technique is never "auto" here
+  int shadow_map_size = 2048;
+
+  bool has(PassKind kind) const;
+};
+
+// What the user or the scene file asks of the renderer.
+struct Quality {
+  ShaftSettings shafts;
+  int shadow_map_size = 2048;
+  bool anti_alias = true;
+};
+
+Plan make_plan(const SceneState& scene, const Quality& quality);
+
+}  // namespace render

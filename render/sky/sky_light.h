@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "render/sky/sky_model.h"
+
+namespace render {
+
+// Real spherical harmonics, bands 0 to 2, in the usual order (0,0) (1,-1) (1,0) (1,1) (2,-2) ... (2,2)
+// with the world's axes (y, z, x for band 1: Ramamoorthi & Hanrahan 2001).
+using Sh9 = std::array<glm::dvec3, 9>;
+
+// A sky boiled down to what lighting needs.
+struct SkyLight {
+  Sh9 radiance_sh{};                           // luminance_rgb of sky and of the ground below the horizon
+  glm::dvec3 horizontal_illuminance_rgb{0.0};  // lux on open level ground from the sky alone
+};
+
+// Projects `sky` over the sphere. Below the horizon stands the light that ground of that `ground_albedo` returns
+// under `sky` plus `sun_horizontal_illuminance_rgb` (lux on level ground).
+SkyLight sky_light(const SkyModel& sky, const glm::dvec3& sun_horizontal_illuminance_rgb, double ground_albedo = 0.2);
+
+// Illuminance in lux of a plane with unit `normal_in_world` (Ramamoorthi & Hanrahan 2001, eq. 11-13), not below 0.
+glm::dvec3 irradiance(const Sh9& radiance_sh, const glm::dvec3& normal_in_world);
+
+}  // namespace render
