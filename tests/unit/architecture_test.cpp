@@ -25,7 +25,6 @@ const std::vector<Rule> kRules{
     {"render/sun", R"(render/(?!sun/).*)"},
     {"render/sky", R"(render/(?!sun/|sky/|scene/image_io\.h|scene/model\.h).*|(EGL|GLES[23]?)/.*)"},
     {"render/medium", R"(render/(?!medium/).*|(EGL|GLES[23]?)/.*)"},
-    {"render/scene", R"(render/gl/.*|(EGL|GLES[23]?)/.*)"},
     {"render/gl", R"(render/(?!gl/).*)"},
 };
 
