@@ -1,0 +1,51 @@
+#pragma once
+
+#include <GLES3/gl31.h>
+
+#include <memory>
+
+#include "render/plan/scene_state.h"
+#include "render/scene/gpu_model.h"
+#include "render/scene/view.h"
+#include "render/shadow/sun_shadow.h"
+
+namespace render {
+
+// Pixels [x, x + width) x [y, y + height) of a picture, row 0 at the top.
+struct PixelRect {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  bool empty() const { return width <= 0 || height <= 0; }
+};
+
+// The objects pass's ideal pinhole picture: real * M + A, linear and pre-exposed. Row 0 of the textures is the
+// picture's top row. Owned by the pass; valid until its next draw.
+struct ObjectsPicture {
+  GLuint added = 0;       // A: RGBA16F, rgb
+  GLuint multiplier = 0;  // M: RGB10_A2, rgb in [0, 1]
+  GLuint depth = 0;       // DEPTH_COMPONENT32F, window depth as View says; 1 where nothing is. Whole picture.
+  int width = 0;
+  int height = 0;
+  PixelRect touched;  // outside it M = 1 and A = 0 (the textures hold these values there)
+};
+
+// Draws real surfaces (depth, then the shadow on them) and virtual objects into one multisampled picture.
+class ObjectsPass {
+ public:
+  explicit ObjectsPass(int samples = 4);  // 1: no anti-aliasing
+  ~ObjectsPass();
+  ObjectsPass(const ObjectsPass&) = delete;
+  ObjectsPass& operator=(const ObjectsPass&) = delete;
+
+  // `shadow` must be up to date with `scene`. Leaves framebuffer, viewport, program, blend and depth state changed.
+  const ObjectsPicture& draw(const SceneState& scene, const View& view, const SunShadow& shadow, GpuModels& models);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace render

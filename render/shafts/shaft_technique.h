@@ -1,0 +1,44 @@
+#pragma once
+
+#include <GLES3/gl31.h>
+
+#include <memory>
+
+#include "render/plan/plan.h"
+#include "render/plan/scene_state.h"
+#include "render/scene/view.h"
+#include "render/shadow/sun_shadow.h"
+
+namespace render {
+
+// Everything a technique may use. Borrowed for the call.
+struct ShaftInputs {
+  const SceneState& scene;  // scene.medium is present
+  const View& view;         // the ideal picture that `depth` belongs to
+  GLuint depth = 0;         // ideal depth, view.width x view.height (View says what it means); 0: nothing in view
+  const SunShadow& shadow;  // up to date with `scene`
+};
+
+// RGBA16F: rgb = in-scattered luminance_rgb * exposure, a = transmittance, row 0 at the top. A pixel of it looks along
+// the ray through its centre: pixel (x, y) of width x height covers the ideal picture's pixels scaled to that size.
+struct ShaftPicture {
+  GLuint texture = 0;
+  GLuint distance = 0;  // R32F, distance along the camera's axis at that pixel, metres, for depth-aware upsampling
+  int width = 0;
+  int height = 0;
+};
+
+// One way to compute the light scattered towards the eye (DESIGN.md section 5).
+class ShaftTechnique {
+ public:
+  virtual ~ShaftTechnique() = default;
+
+  // The picture is owned by the technique and valid until its next draw.
+  virtual const ShaftPicture& draw(const ShaftInputs& inputs) = 0;
+};
+
+// `closed-form` (nothing occludes: analytic) or `march` (settings.steps steps a ray). Throws std::runtime_error that
+// lists the known names.
+std::unique_ptr<ShaftTechnique> make_shaft_technique(const ShaftSettings& settings);
+
+}  // namespace render
