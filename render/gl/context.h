@@ -10,7 +10,7 @@ namespace render::gl {
 // A device that EGL offers.
 struct EglDevice {
   int index = 0;
-  std::string name;      // EGL_RENDERER or DRM file, what the driver tells
+  std::string name;  // EGL_RENDERER or DRM file, what the driver tells
   bool software = false;
 };
 std::vector<EglDevice> list_egl_devices();
