@@ -8,7 +8,13 @@ namespace render {
 // Phase functions, each integrating to 1 over the sphere. cos_theta is the cosine between the light's direction of
 // travel and the direction from the scattering point to the eye: g > 0 is bright when looking towards the light.
 enum class PhaseFunction { HenyeyGreenstein, CornetteShanks, Rayleigh };
+// cos_theta is clamped to [-1, 1]; throws std::invalid_argument where |g| >= 1. Unit 1/sr.
+// Henyey & Greenstein 1941; Cornette & Shanks 1992, eq. 8; Rayleigh ignores g.
 double phase(PhaseFunction function, double g, double cos_theta);
+
+// Legendre moments of bands 0, 1, 2: 2 pi integral of p(mu) P_l(mu) over [-1, 1]. Band 0 is 1. A spherical harmonic
+// of band l that scatters comes out multiplied by moment l (Funk-Hecke).
+glm::dvec3 phase_moments(PhaseFunction function, double g);
 
 // An axis-aligned box in the world, metres.
 struct Box {
@@ -25,11 +31,14 @@ struct Medium {
   std::optional<Box> extent;  // absent: unbounded
 };
 
-// sigma_t = 2.996 / visibility (5 % contrast).
+// sigma_t = 2.996 / visibility (5 % contrast). Throws std::invalid_argument where the visibility is not positive.
 double extinction_from_visibility(double visibility_m);
 
 // Closed form for an unoccluded homogeneous stretch: integral of sigma_t T(t) dt from 0 to d = 1 - exp(-sigma_t d),
-// accurate for sigma_t d -> 0.
+// accurate for sigma_t d -> 0. Distance may be infinite.
 double scattered_fraction(double extinction_per_m, double distance_m);
+
+// exp(-sigma_t d); 1 where sigma_t is 0, even at infinite distance.
+double transmittance(double extinction_per_m, double distance_m);
 
 }  // namespace render

@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/vec3.hpp>
 
+#include "render/medium/medium.h"
 #include "render/sky/sky_model.h"
 
 namespace render {
@@ -23,5 +24,11 @@ SkyLight sky_light(const SkyModel& sky, const glm::dvec3& sun_horizontal_illumin
 
 // Illuminance in lux of a plane with unit `normal_in_world` (Ramamoorthi & Hanrahan 2001, eq. 11-13), not below 0.
 glm::dvec3 irradiance(const Sh9& radiance_sh, const glm::dvec3& normal_in_world);
+
+// Sky light that one scattering sends to the eye: the integral of phase(theta) L(omega) over the sphere, cd/m2, not
+// below 0. `view_direction_in_world` points from the eye into the picture; g > 0 is bright when looking towards bright
+// sky. Of the phase function bands 0 to 2 count (Funk-Hecke theorem), which is all that radiance_sh holds.
+glm::dvec3 in_scatter_luminance(const Sh9& radiance_sh, PhaseFunction function, double g,
+                                const glm::dvec3& view_direction_in_world);
 
 }  // namespace render

@@ -29,7 +29,8 @@ struct SunPosition {
 };
 
 // Where the sun stands seen from `place` at `time`. Finite for every finite input.
-SunPosition sun_position(const Place& place, UtcTime time, SunTier tier = SunTier::Precise, const Weather& weather = {});
+SunPosition sun_position(const Place& place, UtcTime time, SunTier tier = SunTier::Precise,
+                         const Weather& weather = {});
 
 // What of the sun's light arrives at the ground.
 struct SunLight {
