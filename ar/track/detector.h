@@ -10,7 +10,7 @@
 
 namespace ar {
 
-// The families libapriltag 3.3.0 offers under these names: tag36h11, tag25h9, tag16h5, tagCircle21h7,
+// The families that are known by these names: tag36h11, tag25h9, tag16h5, tagCircle21h7,
 // tagStandard41h12, tagStandard52h13.
 const std::vector<std::string>& tag_families();
 
@@ -18,19 +18,19 @@ struct Detection {
   std::string family;
   int id = 0;
   int hamming = 0;
-  double margin = 0.0;                     // decision margin
-  std::array<cv::Point2d, 4> corners_px;   // library's order; OpenCV's count (pixel centres at integers)
+  double margin = 0.0;                    // decision margin
+  std::array<cv::Point2d, 4> corners_px;  // library's order; OpenCV's count (pixel centres at integers)
   cv::Point2d center_px;
 };
 
 struct DetectorOptions {
   std::vector<std::string> families{"tag36h11"};
-  double quad_decimate = 1.0;
-  double quad_sigma = 0.0;
-  bool refine_edges = true;
+  double quad_decimate = 1.0;  // >= 1: quads are sought in a picture that much smaller, corners refined in the full one
+  double quad_sigma = 0.0;     // blur before quads are sought, px of the shrunk picture
+  bool refine_edges = true;    // without it corners are off by 0.25 px instead of 0.05 px
   int threads = 1;
-  int max_hamming = 1;
-  double min_margin = 20.0;
+  int max_hamming = 1;       // wrong bits corrected, 0 ... 2; at most 1 for tagStandard52h13
+  double min_margin = 20.0;  // smallest decision margin; less is noise that looks like a tag
 };
 
 // Wraps libapriltag. Not thread-safe; one per thread.
@@ -46,6 +46,12 @@ class Detector {
   std::vector<Detection> detect(const Frame& frame);
   // In an 8-bit grey picture.
   std::vector<Detection> detect(const cv::Mat& gray8);
+  // Only within those regions (px; cut to the picture). A tag counts once where regions overlap.
+  std::vector<Detection> detect(const Frame& frame, const std::vector<cv::Rect>& regions);
+  std::vector<Detection> detect(const cv::Mat& gray8, const std::vector<cv::Rect>& regions);
+
+  // Quads are sought in the picture shrunk by that factor (>= 1), corners and bits always in the full one.
+  void set_decimate(double quad_decimate);
 
  private:
   struct Impl;

@@ -17,16 +17,20 @@ const char* to_string(TrackState state);
 // What the tracker knows of one frame.
 struct Track {
   TrackState state = TrackState::Lost;
-  Rigid3 world_from_camera;                    // valid unless Lost
+  Rigid3 world_from_camera;                       // valid unless Lost
   cv::Matx66d covariance = cv::Matx66d::zeros();  // of (rotation vector rad, position m) in the world
-  double rms_px = 0.0;                         // reprojection of all used corners, this frame's pose as given out
-  std::vector<int> tag_ids;                    // used in this frame
+  double rms_px = 0.0;                            // reprojection of all used corners, this frame's pose as given out
+  std::vector<int> tag_ids;                       // used in this frame
 };
 
 struct TrackerOptions {
   DetectorOptions detector;
   bool smooth = true;
   double predict_for_s = 0.25;  // how long a pose is carried on without a tag before the state is Lost
+  // While a pose is known, tags are sought where the map expects them, and in the whole picture when none is there and
+  // every so many frames: the bound within which a tag that is not in the map, or not where it says, appears. 1:
+  // always.
+  int full_search_every = 15;
 };
 
 // Camera pose from the tags of a map. Frames in order of time.

@@ -1,0 +1,211 @@
+#include "ar/track/detector.h"
+
+#include <apriltag.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <tag16h5.h>
+#include <tag25h9.h>
+#include <tag36h11.h>
+#include <tagCircle21h7.h>
+#include <tagStandard41h12.h>
+#include <tagStandard52h13.h>
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <tuple>
+
+namespace ar {
+namespace {
+
+struct FamilyApi {
+  std::string name;
+  apriltag_family_t* (*create)();
+  void (*destroy)(apriltag_family_t*);
+};
+
+const std::vector<FamilyApi>& family_api() {
+  static const std::vector<FamilyApi> api{
+      {"tag36h11", tag36h11_create, tag36h11_destroy},
+      {"tag25h9", tag25h9_create, tag25h9_destroy},
+      {"tag16h5", tag16h5_create, tag16h5_destroy},
+      {"tagCircle21h7", tagCircle21h7_create, tagCircle21h7_destroy},
+      {"tagStandard41h12", tagStandard41h12_create, tagStandard41h12_destroy},
+      {"tagStandard52h13", tagStandard52h13_create, tagStandard52h13_destroy},
+  };
+  return api;
+}
+
+using FamilyPtr = std::unique_ptr<apriltag_family_t, void (*)(apriltag_family_t*)>;
+
+FamilyPtr make_family(const std::string& name) {
+  const auto& api = family_api();
+  const auto found = std::find_if(api.begin(), api.end(), [&](const FamilyApi& f) { return f.name == name; });
+  if (found == api.end()) {
+    throw std::runtime_error(fmt::format("unknown tag family '{}'\nknown: {}", name, fmt::join(tag_families(), ", ")));
+  }
+  return {found->create(), found->destroy};
+}
+
+// The table of codes with two wrong bits takes 3 GB for the 48,714 codes of tagStandard52h13, whose 13 bits of distance
+// make it needless; the library takes two at most in any family.
+int correctable_bits(const apriltag_family_t& family, int max_hamming) {
+  return std::clamp(max_hamming, 0, family.ncodes > 10000 ? 1 : 2);
+}
+
+void check(const DetectorOptions& options) {
+  if (options.families.empty()) throw std::runtime_error("no tag family given\nname at least one, such as tag36h11");
+  CV_CheckGE(options.quad_decimate, 1.0, "quad_decimate");
+  CV_CheckGE(options.quad_sigma, 0.0, "quad_sigma");
+  CV_CheckGE(options.threads, 1, "detector threads");
+  CV_CheckGE(options.max_hamming, 0, "max_hamming");
+}
+
+// AprilTag counts pixels from the picture's edge: the centre of its first pixel is at 0.5, OpenCV's at 0.
+cv::Point2d opencv_from_apriltag_px(const double (&p)[2], const cv::Point& origin) {
+  return {p[0] - 0.5 + origin.x, p[1] - 0.5 + origin.y};
+}
+
+Detection converted(const apriltag_detection_t& found, const cv::Point& origin) {
+  Detection d;
+  d.family = found.family->name;
+  d.id = found.id;
+  d.hamming = found.hamming;
+  d.margin = static_cast<double>(found.decision_margin);
+  for (std::size_t i = 0; i < 4; ++i) d.corners_px[i] = opencv_from_apriltag_px(found.p[i], origin);
+  d.center_px = opencv_from_apriltag_px(found.c, origin);
+  return d;
+}
+
+bool is_finite(const Detection& d) {
+  return std::all_of(d.corners_px.begin(), d.corners_px.end(),
+                     [](const cv::Point2d& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+}
+
+// One tag found in two overlapping regions counts once: centres closer than half the shortest edge.
+bool same_tag(const Detection& a, const Detection& b) {
+  if (a.id != b.id || a.family != b.family) return false;
+  double edge = cv::norm(a.corners_px[0] - a.corners_px[3]);
+  for (std::size_t i = 1; i < 4; ++i) edge = std::min(edge, cv::norm(a.corners_px[i] - a.corners_px[i - 1]));
+  return cv::norm(a.center_px - b.center_px) < 0.5 * edge;
+}
+
+}  // namespace
+
+const std::vector<std::string>& tag_families() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const FamilyApi& f : family_api()) all.push_back(f.name);
+    return all;
+  }();
+  return names;
+}
+
+struct Detector::Impl {
+  DetectorOptions options;
+  std::vector<FamilyPtr> families;  // before `detector`, which refers to them until its end
+  std::unique_ptr<apriltag_detector_t, void (*)(apriltag_detector_t*)> detector{apriltag_detector_create(),
+                                                                                apriltag_detector_destroy};
+  cv::Mat grey;  // room for luma that has to be converted
+
+  cv::Mat luma8(const Frame& frame);
+  void detect_in(const cv::Mat& grey8, const cv::Rect& region, std::vector<Detection>& found);
+};
+
+Detector::Detector(const DetectorOptions& options) : impl_(std::make_unique<Impl>()) {
+  check(options);
+  impl_->options = options;
+  apriltag_detector_t& td = *impl_->detector;
+  for (const std::string& name : options.families) {
+    FamilyPtr family = make_family(name);
+    apriltag_detector_add_family_bits(&td, family.get(), correctable_bits(*family, options.max_hamming));
+    impl_->families.push_back(std::move(family));
+  }
+  td.nthreads = options.threads;
+  td.quad_decimate = static_cast<float>(options.quad_decimate);
+  td.quad_sigma = static_cast<float>(options.quad_sigma);
+  td.refine_edges = options.refine_edges;
+}
+
+Detector::~Detector() = default;
+
+void Detector::set_decimate(double quad_decimate) {
+  CV_CheckGE(quad_decimate, 1.0, "quad_decimate");
+  impl_->options.quad_decimate = quad_decimate;
+  impl_->detector->quad_decimate = static_cast<float>(quad_decimate);
+}
+
+cv::Mat Detector::Impl::luma8(const Frame& frame) {
+  const int width = frame.format.width;
+  const int height = frame.format.height;
+  const int type = frame.format.bit_depth > 8 ? CV_16UC1 : CV_8UC1;
+  const auto plane = [&](std::size_t i) {
+    const std::ptrdiff_t stride = frame.stride_bytes[i];
+    const bool upward = stride < 0;  // rows lie from the last to the first; OpenCV and the library want them in order
+    // OpenCV has no view of constant memory; nothing below writes through it.
+    auto* first = const_cast<std::uint8_t*>(frame.plane[i] + (upward ? stride * (height - 1) : 0));
+    const cv::Mat view(height, width, type, first, static_cast<std::size_t>(std::abs(stride)));
+    if (!upward) return view;
+    cv::Mat in_order;
+    cv::flip(view, in_order, 0);
+    return in_order;
+  };
+  const double to_8_bit = 1.0 / (1 << (frame.format.bit_depth - 8));
+  if (frame.format.color.matrix != ColorMatrix::Rgb) {
+    if (type == CV_8UC1) return plane(0);
+    plane(0).convertTo(grey, CV_8U, to_8_bit);
+    return grey;
+  }
+  cv::Mat sum;  // luma of BT.601 from planes G, B, R: contrast is what counts here, not colour
+  cv::addWeighted(plane(0), 0.587 * to_8_bit, plane(1), 0.114 * to_8_bit, 0.0, sum, CV_32F);
+  cv::addWeighted(sum, 1.0, plane(2), 0.299 * to_8_bit, 0.0, grey, CV_8U);
+  return grey;
+}
+
+void Detector::Impl::detect_in(const cv::Mat& grey8, const cv::Rect& region, std::vector<Detection>& found) {
+  cv::Mat view = grey8(region);
+  // The library blurs in place when it does not decimate.
+  if (options.quad_sigma > 0.0 && options.quad_decimate <= 1.0) view = view.clone();
+  // It also counts on some tiles of 4 x 4 px: no tag could be found in less anyway.
+  const int smallest = static_cast<int>(16.0 * options.quad_decimate);
+  if (view.cols < smallest || view.rows < smallest) return;
+  image_u8_t image{view.cols, view.rows, static_cast<int32_t>(view.step[0]), view.data};
+  const std::unique_ptr<zarray_t, void (*)(zarray_t*)> list(apriltag_detector_detect(detector.get(), &image),
+                                                            apriltag_detections_destroy);
+  for (int i = 0; i < zarray_size(list.get()); ++i) {
+    apriltag_detection_t* raw = nullptr;
+    zarray_get(list.get(), i, static_cast<void*>(&raw));
+    if (raw->hamming > options.max_hamming || static_cast<double>(raw->decision_margin) < options.min_margin) continue;
+    const Detection d = converted(*raw, region.tl());
+    const bool known = std::any_of(found.begin(), found.end(), [&](const Detection& f) { return same_tag(f, d); });
+    if (is_finite(d) && !known) found.push_back(d);
+  }
+}
+
+std::vector<Detection> Detector::detect(const cv::Mat& gray8) {
+  return detect(gray8, {cv::Rect(0, 0, gray8.cols, gray8.rows)});
+}
+
+std::vector<Detection> Detector::detect(const cv::Mat& gray8, const std::vector<cv::Rect>& regions) {
+  CV_CheckTypeEQ(gray8.type(), CV_8UC1, "picture for tag detection");
+  std::vector<Detection> found;
+  for (const cv::Rect& region : regions) {
+    const cv::Rect inside = region & cv::Rect(0, 0, gray8.cols, gray8.rows);
+    if (!inside.empty()) impl_->detect_in(gray8, inside, found);
+  }
+  std::sort(found.begin(), found.end(), [](const Detection& a, const Detection& b) {
+    return std::tie(a.family, a.id, a.center_px.x, a.center_px.y) <
+           std::tie(b.family, b.id, b.center_px.x, b.center_px.y);
+  });
+  return found;
+}
+
+std::vector<Detection> Detector::detect(const Frame& frame) {
+  return detect(impl_->luma8(frame));
+}
+
+std::vector<Detection> Detector::detect(const Frame& frame, const std::vector<cv::Rect>& regions) {
+  return detect(impl_->luma8(frame), regions);
+}
+
+}  // namespace ar
