@@ -29,7 +29,7 @@ struct ColorInfo {
 };
 
 struct PixelFormat {
-  int width = 0;   // upright, after the rotation metadata was applied
+  int width = 0;  // upright, after the rotation metadata was applied
   int height = 0;
   int bit_depth = 8;  // 8, or 10 in little-endian 16-bit words, value in the low bits
   Chroma chroma = Chroma::C420;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -45,7 +46,8 @@ struct VideoSinkOptions {
 
 // A video file (container by the extension) or, with a printf pattern ending in .png, an image sequence. Frames have
 // the source's size, chroma, depth, colour tags, sample aspect, time base and timestamps. Written beside the final name
-// and renamed by finish(). Throws std::runtime_error: exists and not overwrite, no such folder, container cannot hold it.
+// and renamed by finish(). Throws std::runtime_error: exists and not overwrite, no such folder, container cannot hold
+// it.
 std::unique_ptr<FrameSink> make_file_sink(const std::filesystem::path& path, const SourceInfo& source,
                                           const VideoSinkOptions& options = {});
 

@@ -1,0 +1,52 @@
+#include "ar/output/temporary_file.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <system_error>
+
+namespace ar {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path hidden_beside(const fs::path& final_path) {
+  static std::atomic<int> count{0};
+  const std::string name = fmt::format(".{}.{}-{}.part", final_path.filename().string(), ::getpid(), count++);
+  return final_path.parent_path() / name;
+}
+
+}  // namespace
+
+TemporaryPath::TemporaryPath(fs::path final_path) : final_(std::move(final_path)), temporary_(hidden_beside(final_)) {
+  const fs::path folder = final_.has_parent_path() ? final_.parent_path() : fs::path(".");
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    throw std::runtime_error(fmt::format("cannot write {}: there is no folder {}\nMake the folder first.",
+                                         final_.string(), folder.string()));
+  }
+  if (::access(folder.c_str(), W_OK) != 0) {
+    throw std::runtime_error(fmt::format("cannot write {}: the folder {} is not writable\nWrite to another folder.",
+                                         final_.string(), folder.string()));
+  }
+}
+
+TemporaryPath::~TemporaryPath() {
+  if (committed_) return;
+  std::error_code ignored;  // nothing to do about it in a destructor
+  fs::remove_all(temporary_, ignored);
+}
+
+void TemporaryPath::commit() {
+  std::error_code error;
+  fs::rename(temporary_, final_, error);
+  if (error) {
+    throw std::runtime_error(
+        fmt::format("cannot rename {} to {}: {}", temporary_.string(), final_.string(), error.message()));
+  }
+  committed_ = true;
+}
+
+}  // namespace ar

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace ar {
+
+// A hidden path beside a final one: what is written there appears under the final name by commit(), at once and whole,
+// and is removed otherwise (except when the process is killed; then it stays, hidden, and the final name as it was).
+class TemporaryPath {
+ public:
+  // Throws std::runtime_error where the folder does not exist or cannot be written to.
+  explicit TemporaryPath(std::filesystem::path final_path);
+  ~TemporaryPath();
+  TemporaryPath(const TemporaryPath&) = delete;
+  TemporaryPath& operator=(const TemporaryPath&) = delete;
+
+  // ".clip.mp4.1234-0.part" in the folder of "clip.mp4".
+  const std::filesystem::path& path() const { return temporary_; }
+  const std::filesystem::path& final_path() const { return final_; }
+  // Renames over the final name. Throws std::runtime_error that names both.
+  void commit();
+
+ private:
+  std::filesystem::path final_;
+  std::filesystem::path temporary_;
+  bool committed_ = false;
+};
+
+}  // namespace ar
