@@ -43,7 +43,7 @@ void describe(CLI::App& cli, app::Program& program) {
 }
 
 void add_commands(CLI::App& cli, app::Program& program) {
-  (void)cli, (void)program;
+  app::add_sun_command(cli, program);
 }
 
 // The page of the innermost command that was named, for the hint under a usage error.
