@@ -2,18 +2,21 @@
 
 #include <GLES3/gl31.h>
 
-#include <cstdint>
-#include <glm/vec3.hpp>
+#include <cstddef>
+#include <map>
 #include <memory>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
+#include "render/gl/buffer.h"
+#include "render/gl/texture.h"
 #include "render/scene/model.h"
 
 namespace render {
 
-// A Model uploaded: one vertex array a mesh, one mipmapped texture an image and use. Move-only; lives and dies on the
-// thread of its GL context. Vertex attributes: 0 position, 1 normal, 2 tangent, 3 uv.
+// A Model uploaded: one vertex and index buffer, one mipmapped texture for each image and way of using it. Lives and
+// dies on the thread of its GL context. Vertex attributes: 0 position, 1 normal, 2 tangent, 3 uv.
 class GpuModel {
  public:
   struct MeshRange {
@@ -21,20 +24,17 @@ class GpuModel {
     GLsizei index_count = 0;
     std::size_t first_index = 0;  // in the model's index buffer
   };
-  // Texture names of a material's slots; 0 where the material has none.
+  // Textures of a material's slots; null where the material has none.
   struct Textures {
-    GLuint base_color = 0;
-    GLuint metallic_roughness = 0;
-    GLuint normal = 0;
-    GLuint occlusion = 0;
-    GLuint emissive = 0;
+    const gl::Texture* base_color = nullptr;
+    const gl::Texture* metallic_roughness = nullptr;
+    const gl::Texture* normal = nullptr;
+    const gl::Texture* occlusion = nullptr;
+    const gl::Texture* emissive = nullptr;
   };
 
-  // Base colour and emissive images go up as sRGB, the others as linear; anisotropic filtering where the driver has it.
+  // Base colour and emissive images go up as sRGB, the others as linear; anisotropic filtering where a GPU offers it.
   explicit GpuModel(const Model& model);
-  ~GpuModel();
-  GpuModel(const GpuModel&) = delete;
-  GpuModel& operator=(const GpuModel&) = delete;
 
   const std::vector<MeshRange>& meshes() const { return meshes_; }
   const Material& material(int index) const { return materials_[static_cast<std::size_t>(index)]; }
@@ -42,15 +42,16 @@ class GpuModel {
   void draw(const MeshRange& mesh) const;  // with the current program; binds the model's vertex array
 
  private:
-  GLuint texture_for(const Model& model, const TextureRef& ref, bool srgb, float alpha_cutoff);
+  void upload_geometry(const Model& model);
+  const gl::Texture* texture_for(const Model& model, const TextureRef& ref, bool srgb);
 
-  GLuint vertex_array_ = 0;
-  GLuint vertex_buffer_ = 0;
-  GLuint index_buffer_ = 0;
+  gl::Buffer vertices_;
+  gl::Buffer indices_;
+  gl::VertexArray vertex_array_;
   std::vector<MeshRange> meshes_;
   std::vector<Material> materials_;
   std::vector<Textures> textures_;
-  std::unordered_map<std::uint64_t, GLuint> texture_names_;
+  std::map<std::tuple<int, TextureWrap, bool>, gl::Texture> uploaded_;  // image, wrap, sRGB
 };
 
 // One GpuModel a Model, shared by its instances. Keeps the Model alive while it is held.

@@ -2,6 +2,8 @@
 
 #include <glm/glm.hpp>
 
+#include "render/plan/scene_state.h"
+
 namespace render {
 
 // An ideal pinhole picture of the world, as the GPU passes need it. Shaders work in the `local` frame: the world's
@@ -26,5 +28,8 @@ struct View {
   // Nearest distance along the camera's axis that is drawn, metres.
   static constexpr double kNearM = 0.05;
 };
+
+// The view of a camera without a lens map.
+View pinhole_view(const Camera& camera);
 
 }  // namespace render

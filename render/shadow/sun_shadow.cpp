@@ -1,0 +1,159 @@
+#include "render/shadow/sun_shadow.h"
+
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <string>
+
+#include "render/gl/framebuffer.h"
+#include "render/gl/texture.h"
+
+namespace render {
+namespace {
+
+// What a map was rendered from, to tell whether anything changed since.
+struct CasterKey {
+  const Model* model = nullptr;
+  glm::dmat4 world_from_model{1.0};
+  bool operator==(const CasterKey&) const = default;
+};
+
+std::vector<CasterKey> keys_of(const std::vector<const Instance*>& casters) {
+  std::vector<CasterKey> keys;
+  for (const Instance* caster : casters) keys.push_back({caster->model.get(), caster->world_from_model});
+  return keys;
+}
+
+}  // namespace
+
+struct SunShadow::Impl {
+  struct Slot {
+    gl::Texture depth;
+    gl::Framebuffer framebuffer;
+    ShadowMap map;
+    std::vector<CasterKey> keys;
+    glm::dvec3 sun_direction{0.0};
+    bool rendered = false;
+  };
+
+  gl::Program opaque{"shadow/caster.vert", "shadow/caster.frag"};
+  gl::Program masked{"shadow/caster.vert", "shadow/caster.frag", {{"ALPHA_MASK"}}};
+  GLuint plain_sampler = 0;
+  std::array<Slot, 2> slots;
+
+  Impl() {
+    glGenSamplers(1, &plain_sampler);
+    glSamplerParameteri(plain_sampler, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+    glSamplerParameteri(plain_sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glSamplerParameteri(plain_sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glSamplerParameteri(plain_sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(plain_sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+  ~Impl() { glDeleteSamplers(1, &plain_sampler); }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  Slot& slot(Casters kind) { return slots[kind == Casters::Virtual ? 0 : 1]; }
+
+  bool update(Slot& slot, const SceneState& scene, const View& view, const std::vector<const Instance*>& casters,
+              int size_px, GpuModels& models) {
+    const int size = casters.empty() ? 1 : size_px;
+    const std::vector<CasterKey> keys = keys_of(casters);
+    const bool same = slot.rendered && keys == slot.keys && slot.map.size_px == size &&
+                      (casters.empty() || slot.sun_direction == scene.sun.direction_in_world);
+    if (same && !slot.map.fit.cut) return false;
+    const ShadowFit fit = fit_shadow(scene, view, casters, size);
+    if (same && fit == slot.map.fit) return false;
+    slot.keys = keys;
+    slot.sun_direction = scene.sun.direction_in_world;
+    slot.map.fit = fit;
+    slot.rendered = true;
+    make_storage(slot, size);
+    draw(slot, casters, models);
+    return true;
+  }
+
+  void make_storage(Slot& slot, int size) {
+    if (slot.map.size_px == size) return;
+    slot.depth = gl::Texture(GL_DEPTH_COMPONENT32F, size, size, gl::Filter::Nearest, 1, "sun shadow");
+    slot.depth.set_depth_compare();
+    slot.framebuffer = gl::Framebuffer({}, &slot.depth, "sun shadow");
+    slot.map.depth_texture = slot.depth.id();
+    slot.map.size_px = size;
+  }
+
+  void draw(Slot& slot, const std::vector<const Instance*>& casters, GpuModels& models) {
+    slot.framebuffer.bind();
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glClearDepthf(1.0F);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    const glm::dmat4 clip_from_map =
+        glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) * glm::scale(glm::dmat4(1.0), glm::dvec3(2.0));
+    for (const Instance* caster : casters) {
+      const glm::mat4 clip_from_model(clip_from_map * slot.map.fit.map_from_world * caster->world_from_model);
+      opaque.set("map_clip_from_model", clip_from_model);
+      masked.set("map_clip_from_model", clip_from_model);
+      const GpuModel& model = models.get(caster->model);
+      for (const GpuModel::MeshRange& mesh : model.meshes()) {
+        use_program_for(model, mesh.material);
+        model.draw(mesh);
+      }
+    }
+  }
+
+  // Glass and the like (blended) casts where it is more than half opaque.
+  void use_program_for(const GpuModel& model, int index) {
+    const Material& material = model.material(index);
+    const gl::Texture* base_color = model.textures(index).base_color;
+    if (material.alpha_mode == AlphaMode::Opaque || base_color == nullptr) {
+      opaque.use();
+      return;
+    }
+    masked.use();
+    masked.set("base_color_texture", 0);
+    masked.set("base_alpha", material.base_color.a);
+    masked.set("alpha_cutoff", material.alpha_mode == AlphaMode::Mask ? material.alpha_cutoff : 0.5F);
+    base_color->bind(0);
+  }
+};
+
+SunShadow::SunShadow() : impl_(std::make_unique<Impl>()) {}
+SunShadow::~SunShadow() = default;
+
+bool SunShadow::update(const SceneState& scene, const View& view, int size_px, GpuModels& models) {
+  bool drawn = false;
+  for (const Casters kind : {Casters::Virtual, Casters::Real}) {
+    drawn |= impl_->update(impl_->slot(kind), scene, view, casters(scene, kind), size_px, models);
+  }
+  return drawn;
+}
+
+const ShadowMap& SunShadow::map(Casters kind) const {
+  return impl_->slot(kind).map;
+}
+
+void SunShadow::bind(Casters kind, const View& view, const gl::Program& program, int first_unit) const {
+  const Impl::Slot& slot = impl_->slot(kind);
+  const std::string prefix = kind == Casters::Virtual ? "virtual_" : "real_";
+  slot.depth.bind(first_unit);
+  slot.depth.bind(first_unit + 1);
+  glBindSampler(static_cast<GLuint>(first_unit + 1), impl_->plain_sampler);
+  const glm::dmat4 map_from_local = slot.map.fit.map_from_world * glm::inverse(view.local_from_world());
+  program.set(prefix + "compared", first_unit);
+  program.set(prefix + "depth", first_unit + 1);
+  program.set(prefix + "map_from_local", glm::mat4(map_from_local));
+  program.set(prefix + "local_from_map", glm::mat3(glm::inverse(glm::dmat3(map_from_local))));
+  program.set(prefix + "metres_per_unit", glm::vec3(slot.map.fit.metres_per_unit));
+  program.set(prefix + "texel", 1.0F / static_cast<float>(slot.map.size_px));
+}
+
+void SunShadow::unbind(int first_unit) {
+  glBindSampler(static_cast<GLuint>(first_unit + 1), 0);
+}
+
+}  // namespace render

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <map>
+
+#include "render/shafts/shade_pass.h"
+
+namespace render {
+
+// Ray marching against the shadow maps with interleaved step offsets and a depth-aware average over their tile
+// (Toth & Umenhoffer 2009). Where a ray leaves the space that casters can shade, closed forms take over.
+class March : public ShaftTechnique {
+ public:
+  March(int steps, int divisor) : steps_(steps), divisor_(divisor) {}
+
+  const ShaftPicture& draw(const ShaftInputs& inputs) override;
+
+ private:
+  const gl::Program& program(const ShaftInputs& inputs);
+  void make_targets(const glm::ivec2& size_px);
+  void blur(const gl::Texture& from, const gl::Framebuffer& to, const glm::ivec2& axis);
+
+  int steps_;
+  int divisor_;
+  std::map<int, gl::Program> programs_;
+  gl::Program blur_{"lib/full_screen.vert", "shafts/blur.frag"};
+  std::array<gl::Texture, 2> lit_;
+  std::array<gl::Framebuffer, 2> lit_target_;
+  gl::VertexArray no_vertices_;
+  ShadePass shade_;
+};
+
+}  // namespace render

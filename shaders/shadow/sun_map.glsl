@@ -1,0 +1,41 @@
+// The shadow maps as shaders see them; SunShadow::bind() sets these. With REAL_CASTERS there are two.
+#include "shadow/visibility.glsl"
+
+uniform highp sampler2DShadow virtual_compared;
+uniform highp sampler2D virtual_depth;
+uniform mat4 virtual_map_from_local;
+uniform mat3 virtual_local_from_map;
+uniform vec3 virtual_metres_per_unit;
+uniform float virtual_texel;
+#ifdef REAL_CASTERS
+uniform highp sampler2DShadow real_compared;
+uniform highp sampler2D real_depth;
+uniform mat4 real_map_from_local;
+uniform mat3 real_local_from_map;
+uniform vec3 real_metres_per_unit;
+uniform float real_texel;
+#endif
+uniform float sun_disc_slope;  // tangent of the sun's angular radius
+
+// Part of the sun's light that gets past virtual things to a surface point with that normal, facing the sun.
+float virtual_visibility(vec3 at_in_local, vec3 normal_in_local) {
+#ifdef VIRTUAL_CASTERS
+  vec3 at = (virtual_map_from_local * vec4(at_in_local, 1.0)).xyz;
+  vec2 slope = receiver_slope(virtual_local_from_map, normal_in_local);
+  return sun_visibility(virtual_compared, virtual_depth, at, slope, virtual_texel, virtual_metres_per_unit,
+                        sun_disc_slope);
+#else
+  return 1.0;
+#endif
+}
+
+// And past real things.
+float real_visibility(vec3 at_in_local, vec3 normal_in_local) {
+#ifdef REAL_CASTERS
+  vec3 at = (real_map_from_local * vec4(at_in_local, 1.0)).xyz;
+  vec2 slope = receiver_slope(real_local_from_map, normal_in_local);
+  return sun_visibility(real_compared, real_depth, at, slope, real_texel, real_metres_per_unit, sun_disc_slope);
+#else
+  return 1.0;
+#endif
+}

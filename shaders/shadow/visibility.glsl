@@ -1,0 +1,59 @@
+// How much of the sun a surface point sees past the casters of one shadow map.
+//
+// Map coordinates: (u, v, depth), 0 to 1 inside the map, depth along the light's travel (render/shadow/sun_shadow.h).
+
+// What the receiver's own plane does to depth across the map: d depth / d (u, v), from its normal. Each column of
+// local_from_map is one map unit in metres. Isidoro 2006, "Shadow mapping: GPU-based tips and techniques": receiver
+// plane depth bias, here from the known normal instead of screen derivatives, so that it is exact on edges too.
+// A plane that the light grazes has an unbounded slope; such a plane receives next to no light, so it is capped.
+vec2 receiver_slope(mat3 local_from_map, vec3 normal_in_local) {
+  vec3 n = transpose(local_from_map) * normal_in_local;
+  float facing = min(n.z, -0.02 * length(local_from_map[2]));
+  return clamp(-n.xy / facing, vec2(-200.0), vec2(200.0));
+}
+
+// Fixed points spread evenly over the unit disc: Vogel 1979, "A better way to construct the sunflower head".
+vec2 sunflower(int i, int count) {
+  float r = sqrt((float(i) + 0.5) / float(count));
+  float a = 2.399963 * float(i);
+  return r * vec2(cos(a), sin(a));
+}
+
+// Percentage-closer soft shadows (Fernando 2005) for a parallel sun with a disc: the penumbra of a blocker that is
+// `gap` metres up the light is gap * tan(angular radius) in radius, wherever the receiver is.
+//   depth_compare, depth_value  the same map with and without comparison
+//   at_in_map        the receiver
+//   slope            receiver_slope()
+//   texel            1 / map size
+//   metres_per_unit  size of the map along u, v, depth
+//   disc_slope       tangent of the sun's angular radius; 0: sharp
+float sun_visibility(highp sampler2DShadow depth_compare, highp sampler2D depth_value, vec3 at_in_map, vec2 slope,
+                     float texel, vec3 metres_per_unit, float disc_slope) {
+  // Texels hold the depth at their centres, up to one texel from the point of a bilinear comparison.
+  float bias = (abs(slope.x) + abs(slope.y)) * texel + 0.0005 / metres_per_unit.z;
+  float receiver = at_in_map.z - bias;
+  if (receiver <= 0.0) return 1.0;  // on the sun's side of every caster
+
+  vec2 search = disc_slope * receiver * metres_per_unit.z / metres_per_unit.xy + texel;
+  float blockers = 0.0;
+  float blocker_depth = 0.0;
+  for (int i = 0; i < BLOCKER_TAPS; ++i) {
+    vec2 offset = sunflower(i, BLOCKER_TAPS) * search;
+    float depth = textureLod(depth_value, at_in_map.xy + offset, 0.0).r;
+    if (depth < receiver + dot(slope, offset)) {
+      blockers += 1.0;
+      blocker_depth += depth;
+    }
+  }
+  if (blockers < 0.5) return 1.0;
+
+  float gap_m = max(receiver - blocker_depth / blockers, 0.0) * metres_per_unit.z;
+  vec2 radius = max(disc_slope * gap_m / metres_per_unit.xy, vec2(0.75 * texel));
+  float lit = 0.0;
+  for (int i = 0; i < FILTER_TAPS; ++i) {
+    vec2 offset = sunflower(i, FILTER_TAPS) * radius;
+    float reference = min(receiver + dot(slope, offset), 1.0);  // behind all casters: an empty texel is lit
+    lit += textureLod(depth_compare, vec3(at_in_map.xy + offset, reference), 0.0);
+  }
+  return lit / float(FILTER_TAPS);
+}
