@@ -34,6 +34,7 @@ struct Plan {
   std::vector<Omission> omitted;
   ShaftSettings shafts;  // resolved: technique is never "auto" here
   int shadow_map_size = 2048;
+  bool anti_alias = true;
 
   bool has(PassKind kind) const;
 };
@@ -45,6 +46,7 @@ struct Quality {
   bool anti_alias = true;
 };
 
+// What `scene` requires and why, and why not the rest. Needs no GL.
 Plan make_plan(const SceneState& scene, const Quality& quality);
 
 }  // namespace render

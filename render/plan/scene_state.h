@@ -12,8 +12,12 @@
 namespace render {
 
 // Pixel coordinates: OpenCV's count (centre of the first pixel 0.0) and GL's (0.5).
-inline glm::dvec2 edge_from_centre_px(const glm::dvec2& centre_px) { return centre_px + 0.5; }
-inline glm::dvec2 centre_from_edge_px(const glm::dvec2& edge_px) { return edge_px - 0.5; }
+inline glm::dvec2 edge_from_centre_px(const glm::dvec2& centre_px) {
+  return centre_px + 0.5;
+}
+inline glm::dvec2 centre_from_edge_px(const glm::dvec2& edge_px) {
+  return edge_px - 0.5;
+}
 
 // Where each pixel of a distorted picture looks: normalised ideal coordinates (x/z, y/z) of the camera's frame at the
 // pixel's centre; NaN where the lens model has no inverse. Row 0 at the top.
@@ -32,8 +36,8 @@ struct Camera {
   double fy = 1.0;
   double cx = 0.0;  // edge count: the middle of a W wide picture is W / 2
   double cy = 0.0;
-  std::shared_ptr<const LensMap> lens;      // absent: no distortion. Replaces fx ... cy where present
-  glm::dmat4 world_from_camera{1.0};        // rigid; camera x right, y down, z forward
+  std::shared_ptr<const LensMap> lens;  // absent: no distortion. Replaces fx ... cy where present
+  glm::dmat4 world_from_camera{1.0};    // rigid; camera x right, y down, z forward
 };
 
 // The sun as light: parallel, or a disc of that angular radius.
@@ -46,7 +50,7 @@ struct Sun {
 // Everything about one instant, as plain values. Building it needs no GL.
 struct SceneState {
   Camera camera;
-  std::vector<Instance> instances;     // virtual and real
+  std::vector<Instance> instances;  // virtual and real
   Sun sun;
   std::shared_ptr<const SkyModel> sky;  // absent: no sky light, black background
   SkyLight sky_light;

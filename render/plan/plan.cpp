@@ -1,0 +1,130 @@
+#include "render/plan/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/shadow/shadow_fit.h"
+
+namespace render {
+namespace {
+
+// What a scene has that passes may be needed for.
+struct Needs {
+  int virtual_things = 0;
+  int real_things = 0;
+  bool sun = false;
+  bool casters = false;
+  bool medium = false;
+};
+
+Needs needs_of(const SceneState& scene) {
+  Needs needs;
+  for (const Instance& instance : scene.instances) ++(instance.real ? needs.real_things : needs.virtual_things);
+  needs.sun = std::max({scene.sun.illuminance_rgb.r, scene.sun.illuminance_rgb.g, scene.sun.illuminance_rgb.b}) > 0.0;
+  needs.casters = !casters(scene, Casters::Virtual).empty() || !casters(scene, Casters::Real).empty();
+  needs.medium = scene.medium && scene.medium->extinction_per_m > 0.0;
+  return needs;
+}
+
+std::string count(int n, const char* kind) {
+  return fmt::format("{} {} thing{}", n, kind, n == 1 ? "" : "s");
+}
+
+class Planner {
+ public:
+  Planner(const SceneState& scene, const Quality& quality) : scene_(scene), quality_(quality), needs_(needs_of(scene)) {
+    plan_.shadow_map_size = quality.shadow_map_size;
+    plan_.anti_alias = quality.anti_alias;
+    plan_.shafts = quality.shafts;
+    resolve_technique();
+  }
+
+  Plan take() {
+    if (!scene_.draw_virtual) {
+      omit_all("the camera's pose is not known: the picture passes through");
+    } else if (!objects_needed() && !needs_.medium) {
+      omit_all(needs_.real_things > 0
+                   ? "nothing virtual casts a shadow on the real things, and there is no medium: the "
+                     "picture passes through"
+                   : "the scene has no objects and no medium: the picture passes through");
+    } else {
+      add(PassKind::Upload, "upload", "the part of the picture that changes", "the real picture is composited");
+      plan_shadow();
+      plan_objects();
+      plan_shafts();
+      add(PassKind::Composite, "composite", "linear light, the source's own encoding",
+          "virtual light is laid over the real picture");
+      add(PassKind::Read, "read", "the part of the picture that changes; the rest is copied",
+          "the result leaves the GL");
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  bool objects_needed() const { return needs_.virtual_things > 0 || (needs_.real_things > 0 && needs_.medium); }
+
+  void add(PassKind kind, std::string name, std::string settings, std::string reason) {
+    plan_.passes.push_back({kind, std::move(name), std::move(settings), std::move(reason)});
+  }
+  void omit(std::string name, std::string reason) { plan_.omitted.push_back({std::move(name), std::move(reason)}); }
+  void omit_all(const std::string& reason) {
+    for (const char* name : {"upload", "shadow", "objects", "shafts", "composite", "read"}) omit(name, reason);
+  }
+
+  void resolve_technique() {
+    if (plan_.shafts.technique != "auto") return;
+    plan_.shafts.technique = needs_.sun && needs_.casters ? "march" : "closed-form";
+  }
+
+  void plan_shadow() {
+    if (!needs_.sun) return omit("shadow", "no sunlight: the sun is down or has no illuminance");
+    if (!needs_.casters) return omit("shadow", "nothing in the scene casts a shadow");
+    add(PassKind::SunShadow, "shadow",
+        fmt::format("{0} x {0} texels, drawn again only when the sun, a caster or the region they shade changes",
+                    quality_.shadow_map_size),
+        "sunlight and things that cast shadows");
+  }
+
+  void plan_objects() {
+    if (!objects_needed()) return omit("objects", "the scene has no objects");
+    std::string reason;
+    if (needs_.virtual_things > 0) reason = count(needs_.virtual_things, "virtual") + " to draw";
+    if (needs_.real_things > 0) {
+      reason += (reason.empty() ? "" : ", ") + count(needs_.real_things, "real") +
+                (needs_.virtual_things > 0 ? " to take shadows and to hide what is behind" : " at which the air ends");
+    }
+    add(PassKind::Objects, "objects", quality_.anti_alias ? "4 samples a pixel" : "1 sample a pixel", reason);
+  }
+
+  void plan_shafts() {
+    if (!scene_.medium) return omit("shafts", "the scene has no medium");
+    if (!needs_.medium) return omit("shafts", "the medium's extinction is zero");
+    const ShaftSettings& shafts = plan_.shafts;
+    const std::string scale = shafts.divisor == 1 ? "full size" : fmt::format("1/{} size", shafts.divisor);
+    if (shafts.technique == "march") {
+      add(PassKind::Shafts, "shafts", fmt::format("march, {} steps, {}", shafts.steps, scale),
+          "a medium, and casters that carve shafts into the sunlight");
+      return;
+    }
+    add(PassKind::Shafts, "shafts", fmt::format("{}, {}", shafts.technique, scale),
+        !needs_.sun ? "a medium lit by the sky alone" : "a medium with nothing between it and the sun");
+  }
+
+  const SceneState& scene_;
+  const Quality& quality_;
+  Needs needs_;
+  Plan plan_;
+};
+
+}  // namespace
+
+bool Plan::has(PassKind kind) const {
+  return std::any_of(passes.begin(), passes.end(), [kind](const Pass& pass) { return pass.kind == kind; });
+}
+
+Plan make_plan(const SceneState& scene, const Quality& quality) {
+  return Planner(scene, quality).take();
+}
+
+}  // namespace render

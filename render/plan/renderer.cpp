@@ -1,0 +1,179 @@
+#include "render/plan/renderer.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <stdexcept>
+
+#include "render/composite/background.h"
+#include "render/composite/composite_pass.h"
+#include "render/composite/display_image.h"
+#include "render/composite/planes.h"
+#include "render/composite/still_pass.h"
+#include "render/gl/label.h"
+#include "render/plan/pass_clock.h"
+#include "render/plan/screen_region.h"
+
+namespace render {
+namespace {
+
+const Pass* find(const Plan& plan, PassKind kind) {
+  for (const Pass& pass : plan.passes) {
+    if (pass.kind == kind) return &pass;
+  }
+  return nullptr;
+}
+
+bool same(const ShaftSettings& a, const ShaftSettings& b) {
+  return a.technique == b.technique && a.steps == b.steps && a.divisor == b.divisor;
+}
+
+// What decides the background of a still.
+struct BackgroundKey {
+  std::shared_ptr<const SkyModel> sky;
+  Sun sun;
+  Camera camera;
+
+  bool operator==(const BackgroundKey& o) const {
+    return sky == o.sky && sun.direction_in_world == o.sun.direction_in_world &&
+           sun.illuminance_rgb == o.sun.illuminance_rgb && sun.angular_radius_rad == o.sun.angular_radius_rad &&
+           camera.width == o.camera.width && camera.height == o.camera.height && camera.fx == o.camera.fx &&
+           camera.fy == o.camera.fy && camera.cx == o.camera.cx && camera.cy == o.camera.cy &&
+           camera.lens == o.camera.lens && camera.world_from_camera == o.camera.world_from_camera;
+  }
+};
+
+}  // namespace
+
+struct Renderer::Impl {
+  GpuModels models;
+  SunShadow shadow;
+  std::optional<ObjectsPass> objects_pass;
+  bool anti_alias = true;
+  std::unique_ptr<ShaftTechnique> shafts_technique;
+  ShaftSettings shafts_settings;
+  CompositePass composite_pass;
+  StillPass still_pass;
+  std::optional<BackgroundKey> background;
+  PassClock clock;
+
+  std::shared_ptr<const LensMap> lens_map;  // what `lens` and `lens_view` were made from
+  std::optional<LensLookup> lens;
+  View lens_view;
+
+  template <typename F>
+  void run(const Plan& plan, PassKind kind, F&& pass) {
+    const Pass* planned = find(plan, kind);
+    if (planned == nullptr) return;
+    const gl::DebugGroup group(planned->name);
+    clock.time(planned->name, std::forward<F>(pass));
+  }
+
+  View view_for(const Camera& camera) {
+    if (!camera.lens) {
+      lens.reset();
+      lens_map.reset();
+      return ideal_view(camera);
+    }
+    if (lens_map != camera.lens) {
+      lens_view = ideal_view(camera);
+      lens.emplace(*camera.lens, lens_view);
+      lens_map = camera.lens;
+    }
+    View view = lens_view;
+    look_from(camera, view);
+    return view;
+  }
+
+  void prepare(const Plan& plan) {
+    if (!objects_pass || anti_alias != plan.anti_alias) {
+      objects_pass.emplace(plan.anti_alias ? 4 : 1);
+      anti_alias = plan.anti_alias;
+    }
+    if (!shafts_technique || !same(shafts_settings, plan.shafts)) {
+      shafts_technique = make_shaft_technique(plan.shafts);
+      shafts_settings = plan.shafts;
+    }
+  }
+
+  // Shadow, objects and shafts of the ideal picture.
+  CompositeLayers draw_layers(const SceneState& scene, const Plan& plan, const View& view) {
+    CompositeLayers layers;
+    layers.view = &view;
+    layers.lens = lens ? &*lens : nullptr;
+    run(plan, PassKind::SunShadow, [&] { shadow.update(scene, view, plan.shadow_map_size, models); });
+    run(plan, PassKind::Objects, [&] { layers.objects = &objects_pass->draw(scene, view, shadow, models); });
+    run(plan, PassKind::Shafts, [&] {
+      const GLuint depth = layers.objects != nullptr ? layers.objects->depth : 0;
+      layers.shafts = &shafts_technique->draw({.scene = scene, .view = view, .depth = depth, .shadow = shadow});
+    });
+    return layers;
+  }
+
+  // The part of the real picture that the layers change.
+  PixelRect changed_region(const SceneState& scene, const CompositeLayers& layers) const {
+    PixelRect ideal;
+    if (layers.objects != nullptr) ideal = layers.objects->touched;
+    if (layers.shafts != nullptr) ideal = united(ideal, medium_region(*layers.view, *scene.medium));
+    return layers.lens != nullptr ? layers.lens->real_from_ideal(ideal) : ideal;
+  }
+};
+
+Renderer::Renderer(gl::Context& context) {
+  context.make_current();
+  impl_ = std::make_unique<Impl>();
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::composite(const SceneState& scene, const Plan& plan, const PictureView& in,
+                         const MutablePictureView& out) {
+  Impl& impl = *impl_;
+  impl.clock.begin_frame();
+  if (in.format != out.format) throw std::logic_error("composite: the pictures' formats differ");
+  if (!plan.has(PassKind::Composite)) return copy_picture(in, out);
+  if (in.format.width != scene.camera.width || in.format.height != scene.camera.height) {
+    throw std::runtime_error(fmt::format("the picture is {} x {} pixels, the camera's is {} x {}", in.format.width,
+                                         in.format.height, scene.camera.width, scene.camera.height));
+  }
+  impl.prepare(plan);
+  const View view = impl.view_for(scene.camera);
+  const CompositeLayers layers = impl.draw_layers(scene, plan, view);
+  const PixelRect region = CompositePass::region(in.format, impl.changed_region(scene, layers));
+  if (region.empty()) return copy_picture(in, out);
+  impl.run(plan, PassKind::Upload, [&] { impl.composite_pass.upload(in, region); });
+  impl.run(plan, PassKind::Composite, [&] { impl.composite_pass.draw(layers, region); });
+  impl.run(plan, PassKind::Read, [&] { impl.composite_pass.read(in, out, region); });
+  impl.models.forget_unused();
+}
+
+LinearImage Renderer::render_linear(const SceneState& scene, const Plan& plan) {
+  Impl& impl = *impl_;
+  impl.clock.begin_frame();
+  impl.prepare(plan);
+  const View view = impl.view_for(scene.camera);
+  const BackgroundKey key{scene.sky, scene.sun, scene.camera};
+  if (impl.background != key) {
+    impl.clock.time("background", [&] { impl.still_pass.set_background(sky_background(scene)); });
+    impl.background = key;
+  }
+  const CompositeLayers layers = impl.draw_layers(scene, plan, view);
+  impl.clock.time("composite", [&] { impl.still_pass.draw(layers, scene.exposure); });
+  LinearImage image;
+  impl.clock.time("read", [&] { image = impl.still_pass.read(); });
+  impl.models.forget_unused();
+  return image;
+}
+
+Image Renderer::display_image(const LinearImage& linear, double exposure) const {
+  return render::display_image(linear, exposure);
+}
+
+void Renderer::enable_timing(bool on) {
+  impl_->clock.enable(on);
+}
+const std::vector<PassTime>& Renderer::pass_times() const {
+  return impl_->clock.times();
+}
+
+}  // namespace render
