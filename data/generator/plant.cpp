@@ -46,7 +46,7 @@ Twig add_branch(render::Mesh& bark, Random& random, const glm::vec3& from, const
   for (int i = 1; i <= kSteps; ++i) {
     const float t = static_cast<float>(i) / kSteps;
     points.push_back(glm::mix(from, towards, t) + bend * std::sin(3.14159F * t) + kUp * (-0.05F * t * (1.0F - t)));
-    radii.push_back(radius * glm::mix(1.0F, 0.45F, t));
+    radii.push_back(i == kSteps ? 0.0F : radius * glm::mix(1.0F, 0.45F, t));
   }
   tube(bark, points, radii, sides, 0.25F);
   return {points.back(), glm::normalize(points.back() - points[kSteps - 1])};
@@ -56,20 +56,20 @@ void add_stem(render::Mesh& bark) {
   const std::vector<glm::vec3> points = {
       {0.0F, 0.0F, kSoilHeight - 0.02F}, {0.002F, 0.0F, 0.41F}, {0.010F, 0.004F, 0.50F}, {0.004F, 0.012F, 0.60F},
       {-0.008F, 0.008F, 0.70F},          {0.0F, 0.0F, 0.82F},   {0.006F, -0.004F, 0.95F}};
-  tube(bark, points, {0.034F, 0.025F, 0.022F, 0.021F, 0.020F, 0.019F, 0.012F}, 10, 0.25F);
+  tube(bark, points, {0.034F, 0.025F, 0.022F, 0.021F, 0.020F, 0.019F, 0.0F}, 10, 0.25F);
 }
 
 void add_sprig(render::Mesh& leaves, Random& random, const glm::vec3& foot, const glm::vec3& direction) {
   const glm::vec3 outward = glm::normalize(foot - kCrown + kUp * 0.12F);
-  const glm::vec3 along = glm::normalize(direction + 0.7F * random.on_sphere() + 0.25F * kUp);
-  glm::vec3 facing = outward + 0.55F * random.on_sphere() + 0.35F * kUp;
+  const glm::vec3 along = glm::normalize(direction + 0.9F * random.on_sphere() + 0.15F * kUp);
+  glm::vec3 facing = outward + 0.50F * random.on_sphere() + 0.45F * kUp;
   facing = glm::normalize(facing - along * glm::dot(facing, along));
   const std::uint32_t quarter = random.below(4);
   leaf_card(leaves, {foot,
                      along,
                      facing,
                      outward,
-                     random.uniform(0.13F, 0.185F),
+                     random.uniform(0.135F, 0.20F),
                      {0.5F * static_cast<float>(quarter % 2), 0.5F * static_cast<float>(quarter / 2)},
                      0.5F});
 }
@@ -87,7 +87,7 @@ void add_crown(render::Model& model, Random& random) {
     const float root_height = glm::clamp(0.80F + 0.22F * (z + 0.4F), 0.74F, 0.95F);
     const glm::vec3 root(0.0F, 0.0F, root_height);
     const Twig twig = add_branch(model.meshes[Bark], random, root, tip, i % 4 == 0 ? 0.010F : 0.006F, 5);
-    constexpr int kSprigs = 10;
+    constexpr int kSprigs = 11;
     for (int k = 0; k < kSprigs; ++k) {
       const float t = glm::mix(0.45F, 1.0F, static_cast<float>(k) / (kSprigs - 1));
       const glm::vec3 foot = glm::mix(root, twig.end, t) + 0.035F * random.on_sphere();
@@ -105,7 +105,7 @@ void add_lemons(render::Mesh& fruit, Random& random) {
     const float r = std::sqrt(1.0F - z * z);
     const glm::vec3 sphere(r * std::cos(a), r * std::sin(a), z);
     const glm::vec3 axis = glm::normalize(glm::vec3(0, 0, -1) + 0.45F * random.on_sphere());
-    lemon(fruit, kCrown + sphere * (kCrownRadius * random.uniform(0.97F, 1.07F)) - kUp * 0.03F, axis,
+    lemon(fruit, kCrown + sphere * (kCrownRadius * random.uniform(0.88F, 1.03F)) - kUp * 0.03F, axis,
           random.uniform(0.027F, 0.033F), 10, 14);
   }
 }

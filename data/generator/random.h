@@ -11,7 +11,9 @@ namespace generator {
 class Random {
  public:
   explicit Random(std::uint32_t seed) : engine_(seed) {}
-  float uniform(float low, float high) { return low + (high - low) * static_cast<float>(static_cast<double>(engine_()) * 0x1p-32); }
+  float uniform(float low, float high) {
+    return low + (high - low) * static_cast<float>(static_cast<double>(engine_()) * 0x1p-32);
+  }
   std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(engine_() % count); }
   glm::vec3 on_sphere() {
     const float z = uniform(-1.0F, 1.0F);

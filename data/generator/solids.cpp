@@ -107,7 +107,7 @@ void leaf_card(render::Mesh& mesh, const Card& card) {
       const float s = 0.5F * static_cast<float>(column - 1);
       const glm::vec3 fold = face * (column == 1 ? 0.0F : 0.10F * card.size);
       const glm::vec3 droop = -face * (row == 1 ? 0.12F * card.size : 0.0F);
-      const glm::vec3 normal = glm::normalize(face - 0.5F * s * across + 1.2F * card.outward);
+      const glm::vec3 normal = glm::normalize(face - 0.7F * s * across + 0.8F * card.outward);
       mesh.vertices.push_back(
           {card.foot + across * (s * card.size) + card.along * (static_cast<float>(row) * card.size) + fold + droop,
            normal, glm::vec4(0.0F), card.uv + card.uv_size * glm::vec2(0.5F + s, 1.0F - static_cast<float>(row))});

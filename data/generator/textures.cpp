@@ -78,8 +78,8 @@ float late_wood(float rings) {
 }
 
 Surface grain(float late, float fibre, float tone, const glm::vec3& tint) {
-  const glm::vec3 light(0.800F, 0.620F, 0.435F);
-  const glm::vec3 dark(0.560F, 0.365F, 0.215F);
+  const glm::vec3 light(0.815F, 0.665F, 0.500F);
+  const glm::vec3 dark(0.575F, 0.405F, 0.270F);
   Surface s;
   s.srgb = glm::mix(light, dark, std::clamp(0.16F + 0.62F * late - 0.14F * fibre, 0.0F, 1.0F)) * tone * tint;
   s.height_mm = 0.16F * late + 0.10F * fibre;
@@ -186,15 +186,15 @@ void paint_sprig(render::Image& image, const glm::vec2& corner, float size, std:
       set(image, static_cast<int>(foot.x) + k, static_cast<int>(foot.y) - i, {0.34F, 0.36F, 0.16F});
     }
   }
-  constexpr int kLeaves = 9;
+  constexpr int kLeaves = 7;
   for (int i = 0; i < kLeaves; ++i) {
     const float t = static_cast<float>(i) / (kLeaves - 1);
     const float side = i % 2 == 0 ? 1.0F : -1.0F;
-    const float angle = side * glm::mix(1.25F, 0.12F, t) + 0.25F * (random(i, 0) - 0.5F);
+    const float angle = side * glm::mix(1.35F, 0.10F, t * t) + 0.35F * (random(i, 0) - 0.5F);
     const float young = random(i, 1) * 0.5F + 0.5F * t;
-    const glm::vec3 color = glm::mix(glm::vec3(0.17F, 0.33F, 0.10F), glm::vec3(0.40F, 0.54F, 0.17F), young);
-    const float length = size * glm::mix(0.36F, 0.33F, t) * (0.88F + 0.2F * random(i, 2));
-    paint(image, {foot - glm::vec2(0.0F, size * (0.10F + 0.52F * t)), angle, length, length * 0.43F, color},
+    const glm::vec3 color = glm::mix(glm::vec3(0.235F, 0.41F, 0.135F), glm::vec3(0.50F, 0.635F, 0.215F), young);
+    const float length = size * glm::mix(0.40F, 0.34F, t) * (0.84F + 0.22F * random(i, 2));
+    paint(image, {foot - glm::vec2(0.0F, size * (0.07F + 0.56F * t)), angle, length, length * 0.40F, color},
           seed + static_cast<std::uint32_t>(i));
   }
 }
@@ -208,7 +208,7 @@ void bleed_colors(render::Image& image) {
     for (int x = 0; x < image.width; ++x) {
       if (image.rgba[at(x, y) + 3] != 0) continue;
       const float m = 0.9F + 0.1F * noise(glm::vec2(x, y) * 0.03F, {64, 64}, 3);
-      set(image, x, y, glm::vec3(0.27F, 0.42F, 0.13F) * m, 0.0F);
+      set(image, x, y, glm::vec3(0.33F, 0.49F, 0.16F) * m, 0.0F);
     }
   }
 }
