@@ -1,5 +1,8 @@
 #include "ar/track/motion_filter.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace ar {
 namespace {
 
@@ -36,12 +39,26 @@ void MotionFilter::predict(double dt) {
   for (int i = 0; i < 6; ++i) transition(i, 6 + i) = dt;
   covariance_ = transition * covariance_ * transition.t();
   for (int i = 0; i < 6; ++i) {  // the integral of white acceleration over dt
-    const double q = i < 3 ? noise_.turn : noise_.shift;
+    const double q = restlessness_ * (i < 3 ? noise_.turn : noise_.shift);
     covariance_(i, i) += q * dt * dt * dt / 3.0;
     covariance_(i, 6 + i) += q * dt * dt / 2.0;
     covariance_(6 + i, i) += q * dt * dt / 2.0;
     covariance_(6 + i, 6 + i) += q * dt;
   }
+}
+
+// The innovation's mean square in units of its own covariance is 1 where the noise is right (Bar-Shalom, Li and
+// Kirubarajan 2001, section 5.4.2).
+void MotionFilter::adapt(const Rigid3& measured, const cv::Matx66d& covariance) {
+  bool invertible = false;
+  const cv::Matx66d weight = (pose_covariance() + covariance).inv(cv::DECOMP_CHOLESKY, &invertible);
+  if (!invertible) return;
+  const cv::Vec6d innovation = step_between(world_from_camera_, measured);
+  const double mean_square = innovation.dot(weight * innovation) / 6.0;
+  constexpr double kRate = 0.2;      // some five frames
+  constexpr double kOneFrame = 4.0;  // no single frame says more than that
+  restlessness_ *= std::exp(kRate * (std::min(mean_square, kOneFrame) - 1.0));
+  restlessness_ = std::clamp(restlessness_, 1e-4, 100.0);
 }
 
 // With P the covariance before and pose block A, gain G = P[:, pose] A^-1: the rest of the state follows the pose as

@@ -8,8 +8,8 @@ namespace ar {
 
 // How restless a hand-held camera is: spectral density of the white acceleration that drives the model below.
 struct MotionNoise {
-  double turn = 4.0;   // rad^2/s^3
-  double shift = 1.0;  // m^2/s^3
+  double turn = 0.6;    // rad^2/s^3
+  double shift = 0.15;  // m^2/s^3
 };
 
 // Error-state Kalman filter of a camera that keeps its velocity (Sola 2017, "Quaternion kinematics for the error-state
@@ -25,6 +25,9 @@ class MotionFilter {
   void predict(double dt);
   // The pose was found to be this, with this covariance, measurement and prediction taken together.
   void correct(const Rigid3& world_from_camera, const cv::Matx66d& covariance);
+  // Learns how restless this camera is from a pose that was measured without the filter, before correct(): surprises
+  // that are larger than foreseen raise the noise, smaller ones lower it, so that a camera on a tripod comes to rest.
+  void adapt(const Rigid3& measured_world_from_camera, const cv::Matx66d& covariance);
   // Believes the state less: its whole covariance times a factor > 1.
   void inflate(double factor) { covariance_ = factor * covariance_; }
 
@@ -37,6 +40,7 @@ class MotionFilter {
   using Matx12 = cv::Matx<double, 12, 12>;
 
   MotionNoise noise_;
+  double restlessness_ = 1.0;  // factor on noise_
   Rigid3 world_from_camera_;
   cv::Vec3d turn_rate_;  // rad/s
   cv::Vec3d velocity_;   // m/s

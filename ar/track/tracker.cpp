@@ -125,8 +125,9 @@ struct Tracker::Impl {
   void learn_noise(const PoseFit& fit);
   double corner_sigma_px() const;
   PoseFit smoothed(std::vector<SeenTag>& tags, const PoseFit& free);
-  Track without_tags(const Frame& frame);
+  Track without_tags(double time_s);
   Track with_tags(std::vector<SeenTag>& tags);
+  Track follow(std::vector<SeenTag> tags, double time_s);
 };
 
 Tracker::Tracker(CameraModel camera, TagMap map, TrackerOptions options)
@@ -186,6 +187,7 @@ double Tracker::Impl::corner_sigma_px() const {
 // more than kSwimPx, the motion is believed less until it does not.
 PoseFit Tracker::Impl::smoothed(std::vector<SeenTag>& tags, const PoseFit& free) {
   const double sigma = corner_sigma_px();
+  filter.adapt(free.world_from_camera, covariance_of(free.information * (1.0 / (sigma * sigma))));
   constexpr int kAttempts = 12;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const PosePrior prior{filter.world_from_camera(), covariance_of(filter.pose_covariance()), sigma};
@@ -201,9 +203,9 @@ PoseFit Tracker::Impl::smoothed(std::vector<SeenTag>& tags, const PoseFit& free)
   return free;
 }
 
-Track Tracker::Impl::without_tags(const Frame& frame) {
+Track Tracker::Impl::without_tags(double time_s) {
   Track track;
-  if (following && frame.time_s - seen_time_s <= options.predict_for_s + 1e-9) {
+  if (following && time_s - seen_time_s <= options.predict_for_s + 1e-9) {
     track.state = TrackState::Predicted;
     track.world_from_camera = filter.world_from_camera();
     track.covariance = filter.pose_covariance();
@@ -237,16 +239,25 @@ Track Tracker::Impl::with_tags(std::vector<SeenTag>& tags) {
   return track;
 }
 
+Track Tracker::Impl::follow(std::vector<SeenTag> tags, double time_s) {
+  Track track = tags.empty() ? Track{} : with_tags(tags);
+  if (track.state != TrackState::Tracking) return without_tags(time_s);
+  following = true;
+  seen_time_s = time_s;
+  return track;
+}
+
 Track Tracker::track(const Frame& frame) {
   CV_CheckEQ(frame.format.width, impl_->camera.width, "picture width against the camera model's");
   CV_CheckEQ(frame.format.height, impl_->camera.height, "picture height against the camera model's");
   impl_->advance(frame.time_s);
-  std::vector<SeenTag> tags = impl_->search(frame);
-  Track track = tags.empty() ? Track{} : impl_->with_tags(tags);
-  if (track.state != TrackState::Tracking) return impl_->without_tags(frame);
-  impl_->following = true;
-  impl_->seen_time_s = frame.time_s;
-  return track;
+  return impl_->follow(impl_->search(frame), frame.time_s);
+}
+
+Track Tracker::track(std::vector<Detection> detections, double time_s) {
+  impl_->advance(time_s);
+  impl_->detections = std::move(detections);
+  return impl_->follow(seen_tags(impl_->lens, impl_->map, impl_->detections), time_s);
 }
 
 }  // namespace ar

@@ -38,7 +38,10 @@ class Tracker {
  public:
   Tracker(CameraModel camera, TagMap map, TrackerOptions options = {});
   ~Tracker();
+  // Throws cv::Exception when the frame's size is not the camera model's.
   Track track(const Frame& frame);
+  // The same with detections that were made elsewhere.
+  Track track(std::vector<Detection> detections, double time_s);
   // Detections of the last frame, known tags or not.
   const std::vector<Detection>& detections() const;
 

@@ -27,7 +27,8 @@ Print print_of(Create create, Destroy destroy, int id) {
   apriltag_family_t* family = create();
   image_u8_t* image = apriltag_to_image(family, id);
   Print print;
-  print.cells = cv::Mat(image->height, image->width, CV_8UC1, image->buf, static_cast<std::size_t>(image->stride)).clone();
+  print.cells =
+      cv::Mat(image->height, image->width, CV_8UC1, image->buf, static_cast<std::size_t>(image->stride)).clone();
   print.cells_per_size = family->width_at_border;
   image_u8_destroy(image);
   destroy(family);
@@ -120,7 +121,8 @@ Frame frame_of(const cv::Mat& gray8, double time_s) {
 }
 
 Rigid3 facing_tag(const cv::Vec3d& position_in_camera, double about_x_rad, double about_y_rad, double about_z_rad) {
-  const cv::Matx33d turn = rotation_from_vector({0.0, 0.0, about_z_rad}) * rotation_from_vector({0.0, about_y_rad, 0.0}) *
+  const cv::Matx33d turn = rotation_from_vector({0.0, 0.0, about_z_rad}) *
+                           rotation_from_vector({0.0, about_y_rad, 0.0}) *
                            rotation_from_vector({about_x_rad, 0.0, 0.0});
   return {turn, position_in_camera};
 }

@@ -29,8 +29,9 @@ std::array<cv::Point2d, 4> true_corners_px(const CameraModel& camera, const TagP
 // A frame that lends the picture's memory as 8-bit luma.
 Frame frame_of(const cv::Mat& gray8, double time_s);
 
-// camera_from_tag of a tag at that place in the camera's frame, turned by those angles from facing the camera (about the
-// camera's x, then y, then the optical axis).
-Rigid3 facing_tag(const cv::Vec3d& position_in_camera, double about_x_rad, double about_y_rad, double about_z_rad = 0.0);
+// camera_from_tag of a tag at that place in the camera's frame, turned by those angles from facing the camera (about
+// the camera's x, then y, then the optical axis).
+Rigid3 facing_tag(const cv::Vec3d& position_in_camera, double about_x_rad, double about_y_rad,
+                  double about_z_rad = 0.0);
 
 }  // namespace ar::testing

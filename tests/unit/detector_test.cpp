@@ -17,7 +17,9 @@ using testing::frame_of;
 using testing::TagPicture;
 using testing::true_corners_px;
 
-CameraModel small_camera() { return camera_from_horizontal_fov(480, 360, 1.0); }
+CameraModel small_camera() {
+  return camera_from_horizontal_fov(480, 360, 1.0);
+}
 
 double worst_corner_px(const Detection& found, const std::array<cv::Point2d, 4>& truth) {
   double worst = 0.0;
@@ -107,7 +109,8 @@ TEST(Detector, AnUnknownFamilyIsNamedAndTheKnownListed) {
     Detector detector(options);
     FAIL() << "accepted";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), ::testing::AllOf(::testing::HasSubstr("tag37h12"), ::testing::HasSubstr("tagCircle21h7")));
+    EXPECT_THAT(error.what(),
+                ::testing::AllOf(::testing::HasSubstr("tag37h12"), ::testing::HasSubstr("tagCircle21h7")));
   }
 }
 
