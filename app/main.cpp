@@ -43,7 +43,12 @@ void describe(CLI::App& cli, app::Program& program) {
 }
 
 void add_commands(CLI::App& cli, app::Program& program) {
+  app::add_process_command(cli, program);
+  app::add_render_command(cli, program);
+  app::add_explain_command(cli, program);
+  app::add_detect_command(cli, program);
   app::add_sun_command(cli, program);
+  app::add_doctor_command(cli, program);
 }
 
 // The page of the innermost command that was named, for the hint under a usage error.

@@ -1,0 +1,39 @@
+#include "app/options/frame_range.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <string_view>
+
+#include "app/error.h"
+
+namespace app {
+namespace {
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw UsageError(fmt::format(
+      "--frames: found '{}'; accepted: FIRST:END, frames counted from 0, END not included, either may be left out",
+      text));
+}
+
+}  // namespace
+
+FrameRange parse_frame_range(const std::string& text) {
+  const auto colon = text.find(':');
+  if (colon == std::string::npos) refuse(text);
+  const auto parse = [&text](std::string_view digits, std::int64_t otherwise) {
+    if (digits.empty()) return otherwise;
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc() || end != digits.data() + digits.size() || value < 0) refuse(text);
+    return value;
+  };
+  const std::string_view view(text);
+  FrameRange range;
+  range.first = parse(view.substr(0, colon), range.first);
+  range.end = parse(view.substr(colon + 1), range.end);
+  if (range.first >= range.end) refuse(text);
+  return range;
+}
+
+}  // namespace app

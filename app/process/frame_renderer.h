@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/pipeline/pipeline.h"
+#include "app/scene_state_builder.h"
+#include "ar/output/sink.h"
+#include "ar/track/camera.h"
+#include "render/gl/context.h"
+#include "render/plan/renderer.h"
+
+namespace app {
+
+// The render stage: lights the scene at a frame's time, sees it from the frame's pose, composites it over the frame.
+// Lives on one thread, the GL context's.
+class FrameRenderer {
+ public:
+  FrameRenderer(std::optional<int> egl_device, const ar::CameraModel& camera, SceneStateBuilder scene,
+                const render::Quality& quality);
+
+  void set_exposure(double exposure) { exposure_ = exposure; }
+  // Measures the passes of some frames; what is measured waits for the GPU, so not of all of them.
+  void enable_timing(bool on) { timing_ = on; }
+
+  // `start_s` is the time_s at which the scene's clock stands at its beginning. Buffers come from `allocate`. A frame
+  // in which nothing virtual is to be drawn is handed on as it is.
+  FinishedFrame render(TrackedFrame frame, double start_s, const std::function<ar::OutputFrame()>& allocate);
+
+  const std::string& renderer_name() const { return context_.renderer_name(); }
+  const render::Plan& last_plan() const { return plan_; }
+  std::map<std::string, double> median_pass_ms() const;
+
+ private:
+  render::gl::Context context_;
+  render::Renderer renderer_;
+  render::Camera camera_;
+  SceneStateBuilder scene_;
+  const render::Quality quality_;
+  double exposure_ = 0.0;
+  bool timing_ = false;
+  render::Plan plan_;
+  std::int64_t rendered_ = 0;
+  std::map<std::string, std::vector<double>> pass_ms_;
+};
+
+}  // namespace app

@@ -1,0 +1,24 @@
+#include "app/process/output_files.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <system_error>
+
+namespace app {
+
+void check_may_write(const std::filesystem::path& path, bool overwrite) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    throw std::runtime_error(fmt::format("{}: is a folder\nname a file in it", path.string()));
+  }
+  if (!overwrite && std::filesystem::exists(path, error)) {
+    throw std::runtime_error(fmt::format("{}: exists already\ngive another name, or --overwrite", path.string()));
+  }
+  const auto folder = path.parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
+    throw std::runtime_error(fmt::format("{}: there is no folder {}\nmake it first", path.string(), folder.string()));
+  }
+}
+
+}  // namespace app

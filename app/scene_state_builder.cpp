@@ -1,0 +1,134 @@
+#include "app/scene_state_builder.h"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <stdexcept>
+
+#include "app/error.h"
+#include "ar/error.h"
+#include "render/sky/sky_light.h"
+#include "render/sky/sky_model.h"
+#include "render/sun/sun.h"
+
+namespace app {
+namespace {
+
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+const glm::dvec3 kRec709{0.2126, 0.7152, 0.0722};
+
+render::Place to_render(const ar::GeoPosition& place) {
+  return {place.latitude_deg / kDegPerRad, place.longitude_deg / kDegPerRad, place.height_m};
+}
+
+void check_sun_is_known(const SceneSun& sun, const Conditions& conditions) {
+  if (sun.azimuth_rad || (conditions.place && conditions.time)) return;
+  const char* missing = conditions.place ? "the time" : conditions.time ? "the place" : "place and time";
+  throw UsageError(fmt::format(
+      "{} of the picture are not known: neither the command line, nor the scene, nor the video's metadata tell\n"
+      "give --at LAT,LON and --time 2024-06-21T07:30:00Z, or `place:` and `time:` in the scene, or `sun:` there",
+      missing));
+}
+
+std::shared_ptr<const render::SkyModel> sky_for(const SceneSky& sky, const render::SunPosition& sun) {
+  if (sky.options.model == "none") return nullptr;
+  try {
+    return render::make_sky(sky.options, sun);
+  } catch (const std::runtime_error& error) {
+    throw ar::InputError(sky.where + ": " + error.what());
+  }
+}
+
+glm::dvec3 sun_illuminance_rgb(const SceneSun& sun, const render::SunPosition& position, double turbidity,
+                               double height_m) {
+  const glm::dvec3 natural = render::sun_light(position, turbidity, height_m).illuminance_rgb;
+  const double lux = sun.illuminance_lux.value_or(glm::dot(natural, kRec709));
+  if (sun.has_color || sun.illuminance_lux) return sun.color * (lux / glm::dot(sun.color, kRec709));
+  return natural;
+}
+
+render::Instance to_instance(const SceneThing& thing) {
+  render::Instance instance;
+  instance.name = thing.name;
+  instance.model = thing.model;
+  instance.world_from_model = render::place_model(thing.position_in_world, thing.heading_rad, thing.scale);
+  instance.real = thing.real;
+  return instance;
+}
+
+}  // namespace
+
+SceneStateBuilder::SceneStateBuilder(const SceneFile& scene, const Conditions& conditions)
+    : sky_(scene.sky), sun_(scene.sun), conditions_(conditions), exposure_(scene.exposure) {
+  check_sun_is_known(sun_, conditions_);
+  for (const SceneThing& thing : scene.things) state_.instances.push_back(to_instance(thing));
+  state_.medium = scene.medium;
+  light(0);
+  state_.exposure = exposure_.value_or(state_.exposure);
+}
+
+render::SunPosition SceneStateBuilder::sun_at(std::int64_t second) const {
+  if (sun_.azimuth_rad) {
+    render::SunPosition sun;
+    sun.azimuth_rad = *sun_.azimuth_rad;
+    sun.elevation_rad = *sun_.elevation_rad;
+    sun.apparent_elevation_rad = *sun_.elevation_rad;
+    return sun;
+  }
+  return render::sun_position(to_render(*conditions_.place), *conditions_.time + std::chrono::seconds(second));
+}
+
+void SceneStateBuilder::light(std::int64_t second) {
+  if (second_ == second) return;
+  second_ = second;
+  const render::SunPosition sun = sun_at(second);
+  const double height_m = conditions_.place ? conditions_.place->height_m : 0.0;
+  state_.sun.direction_in_world = sun.apparent_direction_in_world();
+  state_.sun.illuminance_rgb = sun_illuminance_rgb(sun_, sun, sky_.options.turbidity, height_m);
+  state_.sun.angular_radius_rad = sun_.angular_radius_rad.value_or(sun.angular_radius_rad);
+  state_.sky = sky_for(sky_, sun);
+  const glm::dvec3 on_level_ground = state_.sun.illuminance_rgb * std::max(0.0, state_.sun.direction_in_world.z);
+  state_.sky_light =
+      state_.sky ? render::sky_light(*state_.sky, on_level_ground, sky_.ground_albedo) : render::SkyLight{};
+}
+
+render::SceneState SceneStateBuilder::at(double elapsed_s) {
+  // A sun that the scene fixes does not move.
+  if (!sun_.azimuth_rad) light(static_cast<std::int64_t>(std::floor(elapsed_s)));
+  return state_;
+}
+
+double horizontal_illuminance(const render::SceneState& state) {
+  const double sine = std::max(0.0, state.sun.direction_in_world.z);
+  return glm::dot(state.sun.illuminance_rgb * sine + state.sky_light.horizontal_illuminance_rgb, kRec709);
+}
+
+void log_light(const render::SceneState& state) {
+  const glm::dvec3& direction = state.sun.direction_in_world;
+  const double azimuth_deg = kDegPerRad * std::atan2(direction.x, direction.y);
+  spdlog::info("sun at azimuth {:.2f}, elevation {:.2f} degrees, {:.0f} lux; sky {:.0f} lux on level ground",
+               azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg,
+               kDegPerRad * std::asin(std::clamp(direction.z, -1.0, 1.0)), glm::dot(state.sun.illuminance_rgb, kRec709),
+               glm::dot(state.sky_light.horizontal_illuminance_rgb, kRec709));
+}
+
+render::Camera camera_of_view(const SceneView& view, int width, int height) {
+  const glm::dvec3 forward = glm::normalize(view.target_in_world - view.eye_in_world);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, view.up_in_world));
+  const glm::dvec3 down = glm::cross(forward, right);
+  render::Camera camera;
+  camera.width = width;
+  camera.height = height;
+  camera.fy = 0.5 * height / std::tan(0.5 * view.vertical_fov_rad);
+  camera.fx = camera.fy;
+  camera.cx = 0.5 * width;
+  camera.cy = 0.5 * height;
+  camera.world_from_camera = glm::dmat4(glm::dvec4(right, 0.0), glm::dvec4(down, 0.0), glm::dvec4(forward, 0.0),
+                                        glm::dvec4(view.eye_in_world, 1.0));
+  return camera;
+}
+
+}  // namespace app
