@@ -1,0 +1,196 @@
+#include "app/synth/backdrop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/synth/noise.h"
+#include "app/synth/parallel.h"
+#include "app/synth/plants.h"
+
+namespace app::synth {
+
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+glm::vec3 direction_of(float azimuth, float elevation) {
+  return {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation), std::sin(elevation)};
+}
+
+// Noise on the circle of azimuths: sampled on a ring in the plane, so that north has no seam.
+float ring_noise(float azimuth, float features, int octaves, std::uint32_t seed) {
+  const float radius = features / (2.0F * kPi);
+  return fractal_noise(glm::vec2(std::cos(azimuth), std::sin(azimuth)) * radius + 200.0F, octaves, seed);
+}
+
+}  // namespace
+
+Backdrop::Backdrop(const Spec& spec, const Light& light) {
+  bake_sky(spec, light);
+  if (spec.horizon) {
+    bake_hills(spec, light);
+    bake_trees(spec, light);
+  }
+}
+
+glm::vec3 Backdrop::sky(float azimuth, float elevation) const {
+  const float x = azimuth / (2.0F * kPi) * kSkyWidth;
+  const float y = glm::clamp(elevation / (0.5F * kPi), 0.0F, 1.0F) * (kSkyHeight - 1);
+  const float xf = std::floor(x);
+  const int y0 = std::min(static_cast<int>(y), kSkyHeight - 2);
+  const auto at = [&](int dx, int dy) {
+    const int column = (static_cast<int>(xf) + dx + 8 * kSkyWidth) % kSkyWidth;
+    return sky_[static_cast<std::size_t>((y0 + dy) * kSkyWidth + column)];
+  };
+  const float fx = x - xf;
+  const float fy = y - static_cast<float>(y0);
+  return glm::mix(glm::mix(at(0, 0), at(1, 0), fx), glm::mix(at(0, 1), at(1, 1), fx), fy);
+}
+
+void Backdrop::bake_sky(const Spec& spec, const Light& light) {
+  sky_.resize(static_cast<std::size_t>(kSkyWidth) * kSkyHeight);
+  parallel_for(kSkyHeight, [&](int y) {
+    const float elevation = std::max(0.5F * kPi * static_cast<float>(y) / (kSkyHeight - 1), 0.008F);
+    for (int x = 0; x < kSkyWidth; ++x)
+      sky_[static_cast<std::size_t>(y * kSkyWidth + x)] =
+          light.sky_luminance(direction_of(2.0F * kPi * static_cast<float>(x) / kSkyWidth, elevation));
+  });
+  panorama_.resize(static_cast<std::size_t>(kWidth) * kHeight);
+  const auto cover = static_cast<float>(spec.clouds);
+  const glm::vec3 sun = light.sun_direction();
+  parallel_for(kHeight, [&](int y) {
+    const float elevation = static_cast<float>(y - kBelow) * 2.0F * kPi / kWidth;
+    for (int x = 0; x < kWidth; ++x) {
+      const float azimuth = 2.0F * kPi * (static_cast<float>(x) + 0.5F) / kWidth;
+      glm::vec3 radiance = sky(azimuth, std::max(elevation, 0.0F));
+      if (cover > 0.0F && elevation > 0.01F) {  // cirrus: a thin sheet seen along its slant
+        const glm::vec3 d = direction_of(azimuth, elevation);
+        const glm::vec2 sheet = glm::vec2(d) / (d.z + 0.10F);
+        const glm::vec2 combed(0.8F * sheet.x + 0.6F * sheet.y, 3.1F * (0.8F * sheet.y - 0.6F * sheet.x));
+        const float veil = fractal_noise(combed * 1.3F + 31.0F, 6, spec.seed + 501U, 0.58F);
+        const float field = fractal_noise(sheet * 0.6F + 7.0F, 3, spec.seed + 502U);
+        const float depth = cover * smooth_ramp(0.62F - 0.3F * cover, 0.95F, 0.55F * veil + 0.55F * field);
+        const float forward = std::max(glm::dot(d, sun), 0.0F);
+        const glm::vec3 lit = light.sun_illuminance() * (0.035F + 0.10F * std::pow(forward, 6.0F)) +
+                              light.sky_illuminance({0.0F, 0.0F, 1.0F}) * 0.16F;
+        radiance = glm::mix(radiance, lit, 0.8F * depth * smooth_ramp(0.01F, 0.12F, elevation));
+      }
+      texel(x, y) = radiance;
+    }
+  });
+}
+
+void Backdrop::bake_hills(const Spec& spec, const Light& light) {
+  struct Ridge {
+    float distance_m, mean_deg, swing_deg, features;
+    int octaves;
+  };
+  constexpr std::array<Ridge, 3> kRidges{
+      {{9000.0F, 2.6F, 3.2F, 17.0F, 7}, {4200.0F, 1.3F, 2.4F, 31.0F, 7}, {1700.0F, 0.4F, 1.7F, 53.0F, 6}}};
+  const float visibility_m = 14000.0F;
+  const glm::vec3 sun_flat = light.sun_direction();
+  std::uint32_t seed = spec.seed + 600U;
+  for (const Ridge& ridge : kRidges) {
+    ++seed;
+    const float clear = std::exp(-2.2F * ridge.distance_m / visibility_m);
+    parallel_for(kWidth, [&](int x) {
+      const float azimuth = 2.0F * kPi * (static_cast<float>(x) + 0.5F) / kWidth;
+      const float rise = ring_noise(azimuth, ridge.features, ridge.octaves, seed);
+      const float bush = ring_noise(azimuth, 1400.0F, 3, seed + 50U) - 0.5F;
+      const float top =
+          (ridge.mean_deg + ridge.swing_deg * (2.0F * rise - 1.0F) + 60.0F / ridge.distance_m * 9.0F * bush) * kPi /
+          180.0F;
+      const float top_row = top * kWidth / (2.0F * kPi) + kBelow;
+      const glm::vec3 air = sky(azimuth, 0.02F) * 0.92F;
+      for (int y = 0; y < std::min(kHeight, static_cast<int>(top_row) + 1); ++y) {
+        const float depth = top_row - static_cast<float>(y);
+        const float cover = glm::clamp(depth, 0.0F, 1.0F);
+        const glm::vec2 at(azimuth * ridge.features * 4.0F, static_cast<float>(y) * 0.06F);
+        const float woods = fractal_noise(at * glm::vec2(3.0F, 1.6F), 5, seed + 90U, 0.6F);
+        const glm::vec3 albedo = glm::mix(glm::vec3(0.035F, 0.052F, 0.026F), glm::vec3(0.13F, 0.12F, 0.065F), woods);
+        const glm::vec3 facing = direction_of(azimuth + kPi + 1.6F * (woods - 0.5F), 0.5F);
+        const glm::vec3 lit =
+            albedo / kPi *
+            (light.sun_illuminance() * std::max(glm::dot(facing, sun_flat), 0.03F) + light.sky_illuminance(facing));
+        texel(x, y) = glm::mix(texel(x, y), glm::mix(air, lit, clear), cover);
+      }
+    });
+  }
+}
+
+void Backdrop::bake_trees(const Spec& spec, const Light& light) {
+  constexpr int kKinds = 4;
+  constexpr float kTexelsPerMetre = 22.0F;
+  Random random(spec.seed + 700U);
+  const int count = 340;
+  for (int sector = 0; sector < 8; ++sector) {  // light falls differently on trees in different directions
+    const float middle = 2.0F * kPi * (static_cast<float>(sector) + 0.5F) / 8.0F;
+    std::array<Painting, kKinds> kinds;
+    parallel_for(kKinds, [&](int k) {
+      const PlantSpec plant{.kind = k == 3 ? "cypress" : "tree",
+                            .position = {},
+                            .height_m = k == 3 ? 12.0 : 8.0 + k,
+                            .width_m = k == 3 ? 2.6 : 8.5};
+      kinds[static_cast<std::size_t>(k)] =
+          paint_plant(plant, {std::sin(middle), std::cos(middle)}, light, kTexelsPerMetre,
+                      spec.seed + 710U + static_cast<std::uint32_t>(k));
+    });
+    struct Stand {
+      float azimuth, distance_m;
+      int kind;
+      bool mirrored;
+    };
+    std::vector<Stand> stands;
+    for (int i = 0; i < count / 8; ++i) {
+      const float azimuth = middle + random.between(-0.5F, 0.5F) * 2.0F * kPi / 8.0F;
+      const float wood = ring_noise(azimuth, 22.0F, 3, spec.seed + 720U);
+      if (wood < 0.40F) continue;
+      stands.push_back({azimuth, random.between(62.0F, 170.0F),
+                        random.next() < 0.16F ? 3 : static_cast<int>(random.next() * 3.0F), random.next() < 0.5F});
+    }
+    std::sort(stands.begin(), stands.end(), [](const Stand& a, const Stand& b) { return a.distance_m > b.distance_m; });
+    const glm::vec3 air = sky(middle, 0.03F) * 0.85F;
+    for (const Stand& stand : stands) {
+      const Painting& tree = kinds[static_cast<std::size_t>(stand.kind)];
+      const float scale =
+          kTexelsPerMetre * stand.distance_m * 2.0F * kPi / kWidth;  // painting's texels a panorama texel
+      const float haze = 1.0F - std::exp(-stand.distance_m / 900.0F);
+      const float foot = static_cast<float>(kBelow) - 1.6F / stand.distance_m * kWidth / (2.0F * kPi);
+      const int wide = static_cast<int>(static_cast<float>(tree.width) / scale);
+      const int tall = static_cast<int>(static_cast<float>(tree.height) / scale);
+      const int left = static_cast<int>(stand.azimuth / (2.0F * kPi) * kWidth) - wide / 2;
+      for (int y = 0; y < tall; ++y) {
+        const int row = static_cast<int>(foot) + y;
+        if (row < 0 || row >= kHeight) continue;
+        for (int x = 0; x < wide; ++x) {
+          glm::vec2 uv((static_cast<float>(x) + 0.5F) / static_cast<float>(wide),
+                       1.0F - (static_cast<float>(y) + 0.5F) / static_cast<float>(tall));
+          if (stand.mirrored) uv.x = 1.0F - uv.x;
+          const glm::vec4 leaf = tree.sample(uv, scale);
+          glm::vec3& behind = texel((left + x + kWidth) % kWidth, row);
+          behind = behind * (1.0F - leaf.a) + glm::mix(glm::vec3(leaf), air * leaf.a, haze);
+        }
+      }
+    }
+  }
+}
+
+glm::vec3 Backdrop::luminance(const glm::vec3& direction) const {
+  const float azimuth = std::atan2(direction.x, direction.y);
+  const float elevation = std::asin(glm::clamp(direction.z, -1.0F, 1.0F));
+  const float y = elevation * kWidth / (2.0F * kPi) + kBelow;
+  if (y >= kHeight - 1) return sky(azimuth, elevation);
+  const float x = azimuth / (2.0F * kPi) * kWidth - 0.5F + kWidth;
+  const float xf = std::floor(x);
+  const float yc = std::max(y, 0.0F);
+  const int x0 = static_cast<int>(xf) % kWidth;
+  const int x1 = (x0 + 1) % kWidth;
+  const int y0 = static_cast<int>(yc);
+  const float fx = x - xf;
+  const float fy = yc - static_cast<float>(y0);
+  const auto at = [&](int column, int row) { return panorama_[static_cast<std::size_t>(row * kWidth + column)]; };
+  return glm::mix(glm::mix(at(x0, y0), at(x1, y0), fx), glm::mix(at(x0, y0 + 1), at(x1, y0 + 1), fx), fy);
+}
+
+}  // namespace app::synth
