@@ -9,7 +9,8 @@
 #include <tagStandard52h13.h>
 
 #include <cmath>
-#include <map>
+#include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "ar/track/lens.h"
 #include "ar/track/tag_map.h"
@@ -61,6 +62,18 @@ double shade(const Print& print, const TagPicture& tag, const Rigid3& tag_from_c
   return print.cells.at<std::uint8_t>(static_cast<int>(v), static_cast<int>(u)) > 127 ? 215.0 : 30.0;
 }
 
+// Where the paper of a tag is, from its corners with a broad margin; the rest of the picture is plain.
+cv::Rect paper_box(const CameraModel& camera, const TagPicture& tag) {
+  std::vector<cv::Point2f> outline;
+  TagPicture paper = tag;
+  paper.size_m = 2.6 * tag.size_m;  // tagStandard prints 9 cells where 5 count as its size, and a margin
+  for (const cv::Point2d& p : true_corners_px(camera, paper)) {
+    if (!std::isfinite(p.x)) return {0, 0, camera.width, camera.height};
+    outline.emplace_back(p);
+  }
+  return cv::boundingRect(outline) & cv::Rect(0, 0, camera.width, camera.height);
+}
+
 }  // namespace
 
 cv::Mat draw_tags(const CameraModel& camera, const std::vector<TagPicture>& tags, double noise_sigma, int samples,
@@ -72,9 +85,11 @@ cv::Mat draw_tags(const CameraModel& camera, const std::vector<TagPicture>& tags
     prints.push_back(print_of(tag.family, tag.id));
     tag_from_camera.push_back(tag.camera_from_tag.inverse());
   }
-  cv::Mat picture(camera.height, camera.width, CV_32F);
-  for (int y = 0; y < camera.height; ++y) {
-    for (int x = 0; x < camera.width; ++x) {
+  cv::Mat picture(camera.height, camera.width, CV_32F, cv::Scalar(130.0));
+  cv::Rect box;
+  for (const TagPicture& tag : tags) box |= paper_box(camera, tag);
+  for (int y = box.y; y < box.br().y; ++y) {
+    for (int x = box.x; x < box.br().x; ++x) {
       double sum = 0.0;
       for (int s = 0; s < samples * samples; ++s) {
         const cv::Point2d pixel(x - 0.5 + (s % samples + 0.5) / samples, y - 0.5 + (s / samples + 0.5) / samples);
