@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <array>
+#include <fstream>
 #include <string_view>
 
 #include "ar/error.h"
@@ -26,6 +28,15 @@ std::string reason(int code) {
 bool is_text_art(AVCodecID codec) {
   return codec == AV_CODEC_ID_ANSI || codec == AV_CODEC_ID_BINTEXT || codec == AV_CODEC_ID_XBIN ||
          codec == AV_CODEC_ID_IDF;
+}
+
+// Whether the first box is one that MP4 and QuickTime files begin with (ISO 14496-12, 4.2: size, then type).
+bool begins_like_mp4(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::array<char, 8> head{};
+  in.read(head.data(), head.size());
+  const std::string_view type(head.data() + 4, 4);
+  return in && (type == "ftyp" || type == "moov" || type == "mdat" || type == "wide" || type == "free");
 }
 
 void check_file(const std::filesystem::path& path, const std::string& name) {
@@ -53,9 +64,9 @@ void Decoder::open_container(const std::filesystem::path& path) {
   const int open = avformat_open_input(&opened, ("file:" + path.string()).c_str(), nullptr, nullptr);
   if (open < 0) {
     const std::string why = reason(open);
-    const bool headless = why.find("moov atom not found") != std::string::npos;
-    if (headless)
-      refuse(name_, "the file was cut short, its index is missing (" + why + ")", "Copy it again, or repair it.");
+    if (begins_like_mp4(path)) {
+      refuse(name_, why + ": the file is damaged or was cut short", "Copy it again, or repair it.");
+    }
     refuse(name_, why + ": not a video or picture");
   }
   container_.reset(opened);
@@ -87,6 +98,7 @@ void Decoder::open_codec(int threads) {
   if (!codec_) throw std::bad_alloc();
   codec_->thread_count = threads;
   codec_->thread_type = FF_THREAD_FRAME | FF_THREAD_SLICE;
+  codec_->err_recognition = AV_EF_CRCCHECK;
   codec_->pkt_timebase = stream_->time_base;
   int code = avcodec_parameters_to_context(codec_.get(), &coded);
   if (code >= 0) code = avcodec_open2(codec_.get(), decoder, nullptr);

@@ -106,20 +106,17 @@ FrameMaker::FrameMaker(const AVFrame& first, const AVStream* stream, const std::
     : name_(name),
       tags_(tags_of(first, stream)),
       orientation_(orientation_of(first, stream, name)),
-      first_width_(first.width),
-      first_height_(first.height) {
-  const AVPixelFormat native = format_for(first, orientation_, name);
-  describe_native(native, format_);
+      threads_(options.threads),
+      native_(format_for(first, orientation_, name)) {
+  describe_native(native_, format_);
   format_.width = orientation_.transpose ? first.height : first.width;
   format_.height = orientation_.transpose ? first.width : first.height;
   sample_aspect_ = upright_aspect(first, stream, orientation_);
-  if ((av_pix_fmt_desc_get(native)->flags & AV_PIX_FMT_FLAG_RGB) != 0) tags_.matrix = AVCOL_SPC_RGB;
+  if ((av_pix_fmt_desc_get(native_)->flags & AV_PIX_FMT_FLAG_RGB) != 0) tags_.matrix = AVCOL_SPC_RGB;
   const ColorInfo tagged = color_from_tags(tags_);
-  std::string filters = orientation_.filters();
   if (is_hdr(tagged.transfer)) {
     if (!options.tone_map_hdr) refuse_hdr();
-    filters = tone_mapping(tags_, tagged, native) + (filters.empty() ? "" : "," + filters);
-    tone_mapped_ = true;
+    tone_mapping_ = tone_mapping(tags_, tagged, native_);
     format_.color = kSdr;
   } else {
     format_.color = guess_color(tagged, first.width, first.height);
@@ -128,11 +125,20 @@ FrameMaker::FrameMaker(const AVFrame& first, const AVStream* stream, const std::
   }
   format_.color.siting = siting_after(orientation_, format_.color.siting);
   if (tags_.siting != AVCHROMA_LOC_UNSPECIFIED) tags_.siting = tags_from_color(format_.color).siting;
-  const ColorTags effective = tags_from_color(format_.color);
+  set_orientation(orientation_);
+}
+
+void FrameMaker::set_orientation(const Orientation& orientation) {
+  orientation_ = orientation;
+  std::string filters = tone_mapping_;
+  if (!filters.empty() && !orientation.upright()) filters += ',';
+  filters += orientation.filters();
+  const int range = tags_from_color(format_.color).range;
+  const int matrix = tone_mapping_.empty() ? tags_.matrix : static_cast<int>(AVCOL_SPC_BT709);
   converter_ = std::make_unique<Converter>(
-      ConvertedFormat{native, format_.width, format_.height, static_cast<AVColorRange>(effective.range),
-                      tone_mapped_ ? AVCOL_SPC_BT709 : static_cast<AVColorSpace>(tags_.matrix), filters},
-      options.threads);
+      ConvertedFormat{native_, format_.width, format_.height, static_cast<AVColorRange>(range),
+                      static_cast<AVColorSpace>(matrix), filters},
+      threads_);
 }
 
 void FrameMaker::refuse_hdr() const {
@@ -142,12 +148,22 @@ void FrameMaker::refuse_hdr() const {
                   name_, tags_.transfer == AVCOL_TRC_SMPTE2084 ? "PQ" : "HLG"));
 }
 
-Frame FrameMaker::make(ffmpeg::FramePtr picture) {
-  if ((picture->width != first_width_ || picture->height != first_height_) && !change_told_) {
-    change_told_ = true;
-    spdlog::warn("{}: size changes from {}x{} to {}x{} on the way; scaled to the first", name_, first_width_,
-                 first_height_, picture->width, picture->height);
+void FrameMaker::check_size(const AVFrame& picture, bool separate_pictures) {
+  const int width = orientation_.transpose ? picture.height : picture.width;
+  const int height = orientation_.transpose ? picture.width : picture.height;
+  if (width == format_.width && height == format_.height) return;
+  const std::string sizes = fmt::format("{}x{}, the first was {}x{}", width, height, format_.width, format_.height);
+  if (separate_pictures) throw InputError(sizes);
+  if (!change_told_) spdlog::warn("{}: the size changes on the way: {}; scaled to the first", name_, sizes);
+  change_told_ = true;
+}
+
+Frame FrameMaker::make(ffmpeg::FramePtr picture, bool separate_pictures) {
+  if (separate_pictures) {
+    const Orientation own = orientation_of(*picture, nullptr, name_);
+    if (own != orientation_) set_orientation(own);
   }
+  check_size(*picture, separate_pictures);
   Frame frame;
   frame.exposure = exposure_of(picture->metadata);
   try {
@@ -167,7 +183,7 @@ Frame FrameMaker::make(ffmpeg::FramePtr picture) {
 
 void FrameMaker::describe(SourceInfo& info) const {
   info.format = format_;
-  if (!tone_mapped_) info.tags = tags_;
+  if (tone_mapping_.empty()) info.tags = tags_;
   info.sample_aspect = sample_aspect_;
   info.rotation_deg = orientation_.rotation_deg();
 }

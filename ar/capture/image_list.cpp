@@ -158,7 +158,7 @@ std::vector<fs::path> list_images(const std::string& pattern_or_folder) {
   }
   if (files.empty()) {
     throw InputError(
-        fmt::format("cannot read {}: no pictures match\nGive a folder of pictures, or a pattern such as "
+        fmt::format("cannot read {}: no pictures there\nGive a folder of pictures, or a pattern such as "
                     "shot_%04d.png or 'shots/*.jpg'.",
                     pattern_or_folder));
   }
@@ -187,7 +187,7 @@ ImageList::ImageList(std::string name, std::vector<fs::path> files, const OpenOp
 std::optional<Frame> ImageList::next() {
   for (; at_ < files_.size(); ++at_) {
     try {
-      Frame frame = maker_->make(pending_ ? std::move(pending_) : decode_picture(files_[at_]));
+      Frame frame = maker_->make(pending_ ? std::move(pending_) : decode_picture(files_[at_]), true);
       const double step_s = static_cast<double>(info_.time_base.num) / info_.time_base.den;
       frame.index = frames_++;
       frame.pts = static_cast<std::int64_t>(at_++);
@@ -196,7 +196,8 @@ std::optional<Frame> ImageList::next() {
       return frame;
     } catch (const InputError& error) {
       ++damaged_;
-      spdlog::warn("{}; passed over", std::string(error.what()).substr(0, std::string(error.what()).find('\n')));
+      const std::string what = error.what();
+      spdlog::warn("{}: passed over: {}", files_[at_].string(), what.substr(0, what.find('\n')));
     }
   }
   return std::nullopt;

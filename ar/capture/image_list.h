@@ -23,8 +23,8 @@ std::string printf_name(const std::string& pattern, std::int64_t number);
 // Of a folder, the pictures (by extension). Throws InputError when there are none.
 std::vector<std::filesystem::path> list_images(const std::string& pattern_or_folder);
 
-// Pictures as a stream, at a constant rate; the size and format of the first. A picture that cannot be read is counted,
-// logged and passed over (its time stays empty).
+// Pictures as a stream, at a constant rate; the size and format of the first. A picture that cannot be read, or is of
+// another size, is counted, logged and passed over (its time stays empty).
 class ImageList : public FrameSource {
  public:
   ImageList(std::string name, std::vector<std::filesystem::path> files, const OpenOptions& options);

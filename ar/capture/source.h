@@ -65,7 +65,8 @@ struct OpenOptions {
 };
 
 // Opens a video file, one picture, a printf or glob pattern of pictures ("shot_%04d.png", "shots/*.jpg") or a folder of
-// pictures. Throws InputError that names the file and what is wrong (missing, empty, no video stream, unknown codec).
+// pictures (of one size). Throws InputError that names the file and what is wrong (missing, empty, no video stream,
+// unknown codec).
 std::unique_ptr<FrameSource> open_source(const std::string& path_or_pattern, const OpenOptions& options = {});
 
 }  // namespace ar

@@ -49,6 +49,9 @@ OutputFrame FramePool::allocate() {
   picture->format = native_;
   picture->width = format_.width;
   picture->height = format_.height;
+  const ColorTags tags = tags_from_color(format_.color);
+  picture->color_range = static_cast<AVColorRange>(tags.range);
+  picture->colorspace = static_cast<AVColorSpace>(tags.matrix);
   av_image_fill_arrays(picture->data, picture->linesize, picture->buf[0]->data, static_cast<AVPixelFormat>(native_),
                        format_.width, format_.height, kAlignment);
   OutputFrame frame;

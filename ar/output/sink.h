@@ -25,9 +25,10 @@ class FrameSink {
   virtual ~FrameSink() = default;
   // A buffer to render into.
   virtual OutputFrame allocate() = 0;
-  // `pts` in the source's time base. Throws std::runtime_error when it cannot be written (disk full names the file).
+  // `frame` is from allocate(); `pts` in the source's time base, rising (std::invalid_argument otherwise). Throws
+  // std::runtime_error when it cannot be written (disk full names the file).
   virtual void write(OutputFrame frame, std::int64_t pts) = 0;
-  // Hands an untouched source frame on without copying it.
+  // Hands an untouched source frame on, at its own timestamp, without copying it.
   virtual void write_untouched(Frame frame) = 0;
   // Finalises, renames to the final name. Without it nothing appears under the final name.
   virtual void finish() = 0;
@@ -41,13 +42,22 @@ struct VideoSinkOptions {
   std::string preset = "medium";  // x264's and x265's name
   bool overwrite = false;
   bool copy_other_streams = true;  // audio and subtitles, from the source file
-  int threads = 0;
+  int threads = 0;                 // of the encoder, 0: as many as the machine has
 };
 
-// A video file (container by the extension) or, with a printf pattern ending in .png, an image sequence. Frames have
-// the source's size, chroma, depth, colour tags, sample aspect, time base and timestamps. Written beside the final name
-// and renamed by finish(). Throws std::runtime_error: exists and not overwrite, no such folder, container cannot hold
-// it.
+// A video file (.mp4, .m4v, .mov, .mkv) or PNG pictures: one ("still.png", takes one frame), or as many as come,
+// numbered from 0 ("shot_%04d.png"). Frames have the source's size, chroma, depth, colour tags, sample aspect, time
+// base and timestamps, uneven ones and a late start included (MP4 and MOV exactly; Matroska counts in milliseconds).
+// H.264 and HEVC take RGB frames as 4:2:0 BT.709 and odd sizes as 4:4:4; FFV1 (.mkv) keeps everything bit for bit.
+//
+// `source` is as open_source() gave it: the audio and subtitle streams and the metadata of `source.path` are copied. Or
+// it is made by hand: then `source.path` stays empty and `source.tags` unset; format (color included), time_base,
+// frame_rate and sample_aspect say what is written, and `source.recorded` becomes creation time and location.
+//
+// Everything is written beside the final name, under a hidden temporary one, and renamed by finish(). Destroyed without
+// finish(), it removes that; a killed process leaves it, and the final name as it was. When frames stop before the
+// source's end, or begin after its start, its sound is cut to match. Throws std::runtime_error: exists and not
+// overwrite (before anything is written), no such folder, unknown container, container or codec cannot hold it.
 std::unique_ptr<FrameSink> make_file_sink(const std::filesystem::path& path, const SourceInfo& source,
                                           const VideoSinkOptions& options = {});
 

@@ -52,7 +52,8 @@ void StreamCopy::add_streams(AVFormatContext& muxer) {
     const bool fits =
         is_copied_kind(from) && avformat_query_codec(muxer.oformat, from.codecpar->codec_id, FF_COMPLIANCE_NORMAL) == 1;
     if (!fits) {
-      spdlog::warn("{}: {} is left out: {} cannot hold it here", source_->url, describe(from), muxer.oformat->name);
+      const std::string name = std::filesystem::path(source_->url).filename().string();
+      spdlog::warn("{}: {} is left out: {} cannot hold it", name, describe(from), muxer.oformat->name);
       from.discard = AVDISCARD_ALL;
       continue;
     }

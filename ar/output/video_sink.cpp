@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <string_view>
 
 #include "ar/capture/metadata.h"
 
@@ -11,6 +12,12 @@ namespace {
 
 // Of these, the muxer writes its own.
 constexpr const char* kContainersOwn[] = {"major_brand", "minor_version", "compatible_brands", "encoder"};
+
+// Other containers know constant frame rates only, or would round or shift the times.
+bool keeps_timestamps(const AVOutputFormat& container) {
+  const std::string_view name = container.name;
+  return name == "mp4" || name == "mov" || name == "matroska" || name == "ipod";
+}
 
 AVRational to_av(Rational value) {
   return {value.num, value.den};
@@ -44,9 +51,10 @@ VideoSink::VideoSink(const std::filesystem::path& path, const SourceInfo& source
 void VideoSink::open_muxer() {
   const std::string final_name = file_.final_path().string();
   const AVOutputFormat* container = av_guess_format(nullptr, final_name.c_str(), nullptr);
-  if (container == nullptr || container->video_codec == AV_CODEC_ID_NONE || (container->flags & AVFMT_NOFILE) != 0) {
-    throw std::runtime_error(fmt::format("cannot write {}: no video container is called '{}'\nUse .mp4, .mkv or .mov.",
-                                         final_name, file_.final_path().extension().string()));
+  if (container == nullptr || !keeps_timestamps(*container)) {
+    throw std::runtime_error(
+        fmt::format("cannot write {}: no container that keeps timestamps is called '{}'\nUse .mp4, .mkv or .mov.",
+                    final_name, file_.final_path().extension().string()));
   }
   AVFormatContext* opened = nullptr;
   check(avformat_alloc_output_context2(&opened, container, nullptr, final_name.c_str()), "cannot set up the container");

@@ -1,0 +1,328 @@
+// What goes into a video file comes out again: samples, timestamps, colour tags, turn, aspect, sound, when and where.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <tuple>
+
+#include "ar/error.h"
+#include "ar/place/place.h"
+#include "made_clip.h"
+
+namespace ar::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::vector<std::int64_t> kUnevenPts{120, 160, 173, 240, 1000, 1033};
+
+VideoSinkOptions options_for(VideoCodec codec) {
+  VideoSinkOptions options;
+  options.codec = codec;
+  options.preset = "ultrafast";
+  options.threads = 1;
+  return options;
+}
+
+std::string probe(const std::filesystem::path& file, const std::string& entries) {
+  return run(fmt::format("ffprobe -v error -show_entries {} -of default=nk=0:nw=1 '{}'", entries, file.string()));
+}
+
+// ---- samples
+
+using Format = std::tuple<Chroma, int, ColorInfo>;
+class Ffv1RoundTrip : public ::testing::TestWithParam<Format> {};
+
+TEST_P(Ffv1RoundTrip, IsBitExact) {
+  const auto& [chroma, bit_depth, color] = GetParam();
+  const TemporaryFolder folder;
+  // Odd sizes, so that halved chroma planes round up.
+  const SourceInfo info = made_source(67, 45, chroma, bit_depth, color);
+  write_clip(folder / "a.mkv", info, {0, 40, 80}, options_for(VideoCodec::Ffv1));
+  const ReadClip clip = read_clip(folder / "a.mkv");
+  EXPECT_EQ(clip.info.format, info.format);
+  ASSERT_EQ(clip.pictures.size(), 3U);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(greatest_difference(clip.pictures[static_cast<std::size_t>(i)], made_picture(info.format, i)), 0);
+  }
+}
+
+constexpr ColorInfo kFull601{ColorMatrix::Bt601, ColorRange::Full, Transfer::Bt709, Primaries::Bt601_625,
+                             ChromaSiting::Left};
+constexpr ColorInfo kWide{ColorMatrix::Bt2020, ColorRange::Limited, Transfer::Bt709, Primaries::Bt2020,
+                          ChromaSiting::Left};
+INSTANTIATE_TEST_SUITE_P(Formats, Ffv1RoundTrip,
+                         ::testing::Values(Format{Chroma::C420, 8, kHd}, Format{Chroma::C422, 8, kHd},
+                                           Format{Chroma::C444, 8, kFull601}, Format{Chroma::C420, 10, kWide},
+                                           Format{Chroma::C422, 10, kHd}, Format{Chroma::C444, 10, kFull601},
+                                           Format{Chroma::C444, 8, kRgb}, Format{Chroma::C444, 10, kRgb}));
+
+TEST(VideoRoundTrip, LossyCodecsKeepThePictureWithinTheirQuality) {
+  const TemporaryFolder folder;
+  for (const VideoCodec codec : {VideoCodec::H264, VideoCodec::Hevc}) {
+    for (const int bit_depth : {8, 10}) {
+      const SourceInfo info = made_source(96, 64, Chroma::C420, bit_depth);
+      VideoSinkOptions options = options_for(codec);
+      options.crf = 1;
+      options.overwrite = true;
+      write_clip(folder / "a.mp4", info, {0, 40}, options);
+      const ReadClip clip = read_clip(folder / "a.mp4");
+      EXPECT_EQ(clip.info.format.bit_depth, bit_depth);
+      // Near-lossless quality: a few steps of 255 at the test picture's hard edges.
+      const int limit = bit_depth > 8 ? 32 : 8;
+      EXPECT_LE(greatest_difference(clip.pictures.at(1), made_picture(info.format, 1)), limit)
+          << static_cast<int>(codec) << ' ' << bit_depth;
+    }
+  }
+}
+
+TEST(VideoRoundTrip, UntouchedFramesPassOnBitExact) {
+  const TemporaryFolder folder;
+  const SourceInfo info = made_source(64, 48, Chroma::C420, 10);
+  write_clip(folder / "a.mkv", info, kUnevenPts, options_for(VideoCodec::Ffv1));
+  copy_clip(folder / "a.mkv", folder / "b.mkv", options_for(VideoCodec::Ffv1));
+  const ReadClip a = read_clip(folder / "a.mkv");
+  const ReadClip b = read_clip(folder / "b.mkv");
+  EXPECT_EQ(a.pictures, b.pictures);
+  EXPECT_EQ(a.pts, b.pts);
+}
+
+TEST(VideoRoundTrip, RgbPicturesBecomeBt709InH264) {
+  const TemporaryFolder folder;
+  const SourceInfo info = made_source(64, 48, Chroma::C444, 8, kRgb);
+  write_clip(folder / "a.mp4", info, {0, 40}, options_for(VideoCodec::H264));
+  const SourceInfo read = open_source(folder / "a.mp4")->info();
+  EXPECT_EQ(read.format.chroma, Chroma::C420);
+  EXPECT_EQ(read.format.color.matrix, ColorMatrix::Bt709);
+  EXPECT_EQ(read.format.color.range, ColorRange::Limited);
+  EXPECT_EQ(read.format.color.transfer, Transfer::Srgb);
+}
+
+TEST(VideoRoundTrip, OddSizesKeepTheirSize) {
+  const TemporaryFolder folder;
+  write_clip(folder / "a.mp4", made_source(67, 45), {0, 40}, options_for(VideoCodec::H264));
+  const SourceInfo read = open_source(folder / "a.mp4")->info();
+  EXPECT_EQ(read.format.width, 67);
+  EXPECT_EQ(read.format.height, 45);
+}
+
+// ---- time
+
+class Timestamps : public ::testing::TestWithParam<std::tuple<VideoCodec, const char*>> {};
+
+TEST_P(Timestamps, SurviveUnevenStepsAndALateStart) {
+  const auto& [codec, extension] = GetParam();
+  const TemporaryFolder folder;
+  const auto file = folder / (std::string("a") + extension);
+  write_clip(file, made_source(64, 48), kUnevenPts, options_for(codec));
+  const ReadClip clip = read_clip(file);
+  ASSERT_EQ(clip.time_s.size(), kUnevenPts.size());
+  for (std::size_t i = 0; i < kUnevenPts.size(); ++i) {
+    EXPECT_NEAR(clip.time_s[i], static_cast<double>(kUnevenPts[i]) * 1e-3, 1e-9) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Containers, Timestamps,
+                         ::testing::Values(std::tuple{VideoCodec::H264, ".mp4"}, std::tuple{VideoCodec::H264, ".mkv"},
+                                           std::tuple{VideoCodec::H264, ".mov"}, std::tuple{VideoCodec::Hevc, ".mp4"},
+                                           std::tuple{VideoCodec::Hevc, ".mkv"}, std::tuple{VideoCodec::Ffv1, ".mkv"}));
+
+TEST(VideoTime, FramesReorderedByTheEncoderKeepTheirTimes) {
+  const TemporaryFolder folder;
+  VideoSinkOptions options = options_for(VideoCodec::H264);
+  options.preset = "medium";  // three frames reordered
+  std::vector<std::int64_t> pts;
+  for (std::int64_t i = 0; i < 30; ++i) pts.push_back(i * 40 + i % 3);
+  write_clip(folder / "a.mp4", made_source(64, 48), pts, options);
+  copy_clip(folder / "a.mp4", folder / "b.mp4", options);
+  const ReadClip a = read_clip(folder / "a.mp4");
+  EXPECT_EQ(a.pts.size(), pts.size());
+  EXPECT_EQ(a.pts, read_clip(folder / "b.mp4").pts);
+}
+
+TEST(VideoTime, FineAndOddTimeBasesAreKeptInMp4) {
+  const TemporaryFolder folder;
+  SourceInfo info = made_source(64, 48);
+  info.time_base = {1001, 30000};
+  info.frame_rate = {30000, 1001};
+  write_clip(folder / "a.mp4", info, {0, 1, 2, 5}, options_for(VideoCodec::H264));
+  const ReadClip clip = read_clip(folder / "a.mp4");
+  EXPECT_NEAR(clip.time_s.at(3), 5 * 1001 / 30000.0, 1e-9);
+  EXPECT_NEAR(clip.duration_s.at(0), 1001 / 30000.0, 1e-9);
+}
+
+TEST(VideoTime, TimestampsThatDoNotRiseAreRefused) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(write_clip(folder / "a.mp4", made_source(64, 48), {0, 40, 40}, options_for(VideoCodec::H264)),
+               std::invalid_argument);
+}
+
+// ---- tags
+
+TEST(VideoTags, ColourTagsSurviveEveryCodec) {
+  const ColorInfo cases[] = {
+      kHd,
+      {ColorMatrix::Bt709, ColorRange::Full, Transfer::Bt709, Primaries::Bt709, ChromaSiting::Left},
+      {ColorMatrix::Bt601, ColorRange::Limited, Transfer::Bt709, Primaries::Bt601_525, ChromaSiting::Left},
+      kFull601,
+      {ColorMatrix::Bt709, ColorRange::Limited, Transfer::Srgb, Primaries::Bt709, ChromaSiting::TopLeft},
+  };
+  const TemporaryFolder folder;
+  for (const ColorInfo& color : cases) {
+    for (const auto& [codec, name] : {std::pair{VideoCodec::H264, "a.mp4"},
+                                      {VideoCodec::H264, "a.mkv"},
+                                      {VideoCodec::Hevc, "a.mp4"},
+                                      {VideoCodec::Ffv1, "a.mkv"}}) {
+      VideoSinkOptions options = options_for(codec);
+      options.overwrite = true;
+      write_clip(folder / name, made_source(64, 48, Chroma::C420, 8, color), {0, 40}, options);
+      ColorInfo read = open_source(folder / name)->info().format.color;
+      if (codec == VideoCodec::Ffv1) read.siting = color.siting;  // its stream has no place for it
+      EXPECT_EQ(read, color) << name << ' ' << static_cast<int>(codec) << ": " << describe_guess(read, color);
+    }
+  }
+}
+
+TEST(VideoTags, WhatTheSourceLeavesUntaggedStaysUntagged) {
+  const TemporaryFolder folder;
+  run(fmt::format("ffmpeg -v error -f lavfi -i testsrc2=s=64x48:d=0.2 -c:v libx264 -pix_fmt yuv420p '{}'",
+                  (folder / "a.mp4").string()));
+  copy_clip(folder / "a.mp4", folder / "b.mp4", options_for(VideoCodec::H264));
+  const char* entries = "stream=color_range,color_space,color_transfer,color_primaries";
+  EXPECT_EQ(probe(folder / "a.mp4", entries), probe(folder / "b.mp4", entries));
+  EXPECT_THAT(probe(folder / "b.mp4", entries), HasSubstr("color_space=unknown"));
+  EXPECT_EQ(open_source(folder / "b.mp4")->info().format.color.matrix, ColorMatrix::Bt601);
+}
+
+TEST(VideoTags, SampleAspectSurvives) {
+  const TemporaryFolder folder;
+  SourceInfo info = made_source(64, 48);
+  info.sample_aspect = {16, 11};
+  for (const char* name : {"a.mp4", "a.mkv"}) {
+    write_clip(folder / name, info, {0, 40}, options_for(VideoCodec::H264));
+    const Rational aspect = open_source(folder / name)->info().sample_aspect;
+    EXPECT_EQ(aspect.num * 11, aspect.den * 16) << name;
+  }
+}
+
+TEST(VideoTags, MadeClipsSayWhenAndWhere) {
+  const TemporaryFolder folder;
+  SourceInfo info = made_source(64, 48);
+  info.recorded.time = parse_time("2024-06-21T07:30:00Z");
+  info.recorded.latitude_deg = 48.8584;
+  info.recorded.longitude_deg = -2.2945;
+  info.recorded.height_m = 35.0;
+  for (const char* name : {"a.mp4", "a.mkv", "a.mov"}) {
+    write_clip(folder / name, info, {0, 40}, options_for(VideoCodec::H264));
+    const RecordedAt at = open_source(folder / name)->info().recorded;
+    EXPECT_EQ(at.time, info.recorded.time) << name;
+    // MP4's own box holds 16 bits of a fraction of a degree, and four decimals come back: 11 m.
+    EXPECT_NEAR(at.latitude_deg.value_or(0), 48.8584, 1e-4) << name;
+    EXPECT_NEAR(at.longitude_deg.value_or(0), -2.2945, 1e-4) << name;
+    EXPECT_NEAR(at.height_m.value_or(0), 35.0, 0.01) << name;
+  }
+  copy_clip(folder / "a.mp4", folder / "b.mp4", options_for(VideoCodec::H264));
+  EXPECT_EQ(open_source(folder / "b.mp4")->info().recorded.time, info.recorded.time);
+  EXPECT_NEAR(open_source(folder / "b.mp4")->info().recorded.latitude_deg.value_or(0), 48.8584, 1e-4);
+}
+
+// ---- turn
+
+TEST(VideoTurn, RotationIsAppliedOnceAndAspectTurnsWithIt) {
+  const TemporaryFolder folder;
+  SourceInfo info = made_source(64, 48, Chroma::C444);
+  info.sample_aspect = {4, 3};
+  write_clip(folder / "flat.mkv", info, {0, 40}, options_for(VideoCodec::H264));
+  const Samples flat = read_clip(folder / "flat.mkv").pictures.at(0);
+  for (const int turn : {90, 180, 270}) {
+    // FFmpeg's old `rotate` tag is stored as a matrix that turns as far the other way.
+    const auto turned = folder / fmt::format("turned{}.mov", turn);
+    run(fmt::format("ffmpeg -v error -i '{}' -c copy -metadata:s:v:0 rotate={} '{}'", (folder / "flat.mkv").string(),
+                    360 - turn, turned.string()));
+    const ReadClip clip = read_clip(turned);
+    EXPECT_EQ(clip.info.rotation_deg, turn);
+    const bool quarter = turn != 180;
+    ASSERT_EQ(clip.info.format.width, quarter ? 48 : 64);
+    const int width = clip.info.format.width;
+    EXPECT_EQ(clip.info.sample_aspect.num * (quarter ? 4 : 3), clip.info.sample_aspect.den * (quarter ? 3 : 4)) << turn;
+    // The stored top left corner goes clockwise: to the top right, the bottom right, the bottom left.
+    const std::size_t corner = turn == 90    ? static_cast<std::size_t>(width) - 1
+                               : turn == 180 ? clip.pictures.at(0)[0].size() - 1
+                                             : static_cast<std::size_t>(width) * 63;
+    EXPECT_EQ(clip.pictures.at(0)[0][corner], flat[0][0]) << turn;
+
+    copy_clip(turned, folder / "again.mp4", [] {
+      VideoSinkOptions options = options_for(VideoCodec::H264);
+      options.overwrite = true;
+      return options;
+    }());
+    const SourceInfo again = open_source(folder / "again.mp4")->info();
+    EXPECT_EQ(again.rotation_deg, 0) << "turned twice";
+    EXPECT_EQ(again.format.width, width);
+  }
+}
+
+// ---- pictures
+
+TEST(PictureSequence, WritesNumberedPngsThatReadBackExactly) {
+  const TemporaryFolder folder;
+  const SourceInfo info = made_source(33, 21, Chroma::C444, 8, kRgb);
+  write_clip(folder / "shot_%03d.png", info, {0, 40, 80});
+  EXPECT_THAT(folder.names(), ElementsAre("shot_000.png", "shot_001.png", "shot_002.png"));
+  OpenOptions options;
+  options.image_frame_rate = 29.97;
+  const ReadClip clip = read_clip(folder / "shot_%03d.png", options);
+  ASSERT_EQ(clip.pictures.size(), 3U);
+  EXPECT_EQ(greatest_difference(clip.pictures[2], made_picture(info.format, 2)), 0);
+  EXPECT_THAT(clip.pts, ElementsAre(0, 1, 2));
+  EXPECT_NEAR(clip.time_s[2], 2 / 29.97, 1e-6);
+  EXPECT_EQ(clip.info.format.color.matrix, ColorMatrix::Rgb);
+}
+
+TEST(PictureSequence, LimitedRangeVideoFillsTheRangeOfPng) {
+  const TemporaryFolder folder;
+  const SourceInfo info = made_source(32, 32, Chroma::C444);
+  const auto sink = make_file_sink(folder / "still.png", info);
+  OutputFrame frame = sink->allocate();
+  fill(frame, {Samples::value_type(1024, 235), Samples::value_type(1024, 128), Samples::value_type(1024, 128)});
+  sink->write(std::move(frame), 0);
+  sink->finish();
+  const ReadClip clip = read_clip(folder / "still.png");
+  EXPECT_GE(clip.pictures.at(0)[0][500], 254) << "video white must be picture white";
+}
+
+TEST(PictureSequence, PalettesGreyAndDeepPicturesAreRead) {
+  const TemporaryFolder folder;
+  // From raw samples of the same depth: FFmpeg's own conversions of RGB to deeper RGB lose a step or two.
+  const auto still = [&folder](const std::string& pixel, const char* raw_format, const char* format, const char* name) {
+    {
+      std::ofstream raw(folder / "raw", std::ios::binary);
+      for (int i = 0; i < 256; ++i) raw << pixel;
+    }
+    run(fmt::format("ffmpeg -v error -f rawvideo -pix_fmt {} -s 16x16 -i '{}' -pix_fmt {} '{}'", raw_format,
+                    (folder / "raw").string(), format, (folder / name).string()));
+    return read_clip(folder / name);
+  };
+  const std::string zero(1, '\0');
+  // Planes are G, B, R. The fixed palette's yellow is 252, 252, 0.
+  const ReadClip palette = still("\xff\xff" + zero, "rgb24", "pal8", "palette.png");
+  EXPECT_EQ(palette.info.format.color.matrix, ColorMatrix::Rgb);
+  EXPECT_EQ(palette.pictures.at(0)[0][0], 252);
+  EXPECT_EQ(palette.pictures.at(0)[1][0], 0);
+  EXPECT_EQ(palette.pictures.at(0)[2][0], 252);
+  const ReadClip deep = still("\xff\xff" + zero + "\x40" + zero + zero, "rgb48le", "rgb48be", "deep.png");
+  EXPECT_EQ(deep.info.format.bit_depth, 10);
+  EXPECT_EQ(deep.pictures.at(0)[0][0], 0x4000 >> 6);
+  EXPECT_EQ(deep.pictures.at(0)[1][0], 0);
+  EXPECT_EQ(deep.pictures.at(0)[2][0], 1023);
+  const ReadClip grey = still("\xff\xff\xff", "rgb24", "gray", "grey.png");
+  EXPECT_EQ(grey.info.format.color.range, ColorRange::Full);
+  EXPECT_EQ(grey.pictures.at(0)[0][0], 255);
+  EXPECT_EQ(grey.pictures.at(0)[1][0], 128);
+}
+
+}  // namespace
+}  // namespace ar::testing
