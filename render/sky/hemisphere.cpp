@@ -54,4 +54,12 @@ const std::vector<SolidAngleSample>& upper_hemisphere() {
   return samples;
 }
 
+glm::dvec3 horizontal_illuminance(const SkyModel& sky) {
+  glm::dvec3 sum(0.0);
+  for (const SolidAngleSample& sample : upper_hemisphere()) {
+    sum += sky.luminance_rgb(sample.direction_in_world) * (sample.direction_in_world.z * sample.solid_angle_sr);
+  }
+  return sum;
+}
+
 }  // namespace render

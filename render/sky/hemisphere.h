@@ -3,6 +3,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "render/sky/sky_model.h"
+
 namespace render {
 
 // A direction with its share of solid angle.
@@ -14,5 +16,8 @@ struct SolidAngleSample {
 // Gauss-Legendre rings in sin(elevation) by equal steps in azimuth over the upper half: 32 x 64 samples, exact for
 // polynomials of degree 63. The solid angles sum to 2 pi.
 const std::vector<SolidAngleSample>& upper_hemisphere();
+
+// Lux of level ground under `sky`, linear Rec. 709.
+glm::dvec3 horizontal_illuminance(const SkyModel& sky);
 
 }  // namespace render

@@ -1,22 +1,158 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <numbers>
 #include <stdexcept>
 
-#include "render/sky/perez_sky.h"
+#include "render/sky/cie.h"
+#include "render/sky/clear_sky_irradiance.h"
+#include "render/sky/dusk_sky.h"
+#include "render/sky/form_sky.h"
+#include "render/sky/hemisphere.h"
+#include "render/sky/reference_sky.h"
+#include "render/sky/scattering_sky.h"
+#include "render/sky/sky_image.h"
 #include "render/sky/sky_model.h"
+#include "render/sky/twilight.h"
+#include "render/sun/spectrum.h"
 
 namespace render {
 namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+constexpr Handover kClearHandover{8.0 * kRadPerDeg, 0.0};   // turbid models lose their colours in the last degrees
+constexpr Handover kGivenHandover{0.0, -4.0 * kRadPerDeg};  // what was asked for holds as long as the sun is up
 
 class BlackSky final : public SkyModel {
  public:
   glm::dvec3 luminance_rgb(const glm::dvec3&) const override { return glm::dvec3(0.0); }
 };
 
+// The sun where the daytime models end: on the horizon or above.
+struct Day {
+  SunPosition sun;
+  double zenith_rad;
+  double outside_wm2;
+};
+
+Day day_of(const SunPosition& sun) {
+  Day day{sun, 0.0, kSolarConstantWm2 / (sun.distance_au * sun.distance_au)};
+  day.sun.elevation_rad = std::max(sun.elevation_rad, 0.0);
+  day.zenith_rad = std::numbers::pi / 2.0 - day.sun.elevation_rad;
+  return day;
+}
+
+struct Condition {
+  double clearness;
+  double brightness;
+  double diffuse_lux;
+};
+
+Condition condition_from(const SkyIrradiance& irradiance, const Day& day) {
+  const double clearness = sky_clearness(irradiance.dni_wm2, irradiance.dhi_wm2, day.zenith_rad);
+  const double brightness = sky_brightness(irradiance.dhi_wm2, day.zenith_rad, day.outside_wm2);
+  const double efficacy = diffuse_efficacy(clearness, brightness, day.zenith_rad);
+  return {clearness, brightness, std::max(irradiance.dhi_wm2, 0.0) * efficacy};
+}
+
+// Clear-sky irradiances mean little with the sun lower than 3 degrees: its shape is kept from there on.
+Condition clear_condition(double turbidity, Day day) {
+  const double elevation = std::max(day.sun.elevation_rad, 3.0 * kRadPerDeg);
+  day.zenith_rad = std::numbers::pi / 2.0 - elevation;
+  const ClearSkyIrradiance clear = clear_sky_irradiance(turbidity, elevation, 0.0, day.outside_wm2);
+  return condition_from({clear.dni_wm2, clear.dhi_wm2}, day);
+}
+
+Condition given_condition(const SkyCondition& given, const Day& day) {
+  const double dhi_wm2 = dhi_from_brightness(given.brightness, day.zenith_rad, day.outside_wm2);
+  const double efficacy = diffuse_efficacy(given.clearness, given.brightness, day.zenith_rad);
+  return {given.clearness, given.brightness, dhi_wm2 * efficacy};
+}
+
+std::unique_ptr<SkyModel> perez(const SkyOptions& options, const SunPosition& sun) {
+  const Day day = day_of(sun);
+  const bool given = options.condition || options.irradiance;
+  const Condition condition = options.condition    ? given_condition(*options.condition, day)
+                              : options.irradiance ? condition_from(*options.irradiance, day)
+                                                   : clear_condition(options.turbidity, day);
+  SkyForm form;
+  form.shape =
+      without_dark_zenith(perez_shape(condition.clearness, condition.brightness, day.zenith_rad, options.bins));
+  form.color_turbidity = std::max(options.turbidity, 2.0);
+  form.whiteness = std::clamp((1.5 - condition.clearness) / 0.5, 0.0, 1.0);  // clearness 1 is a grey sky
+  const double level = given ? condition.diffuse_lux * twilight_dimming(sun.elevation_rad)
+                             : diffuse_level_lux(condition.diffuse_lux, sun, options.turbidity);
+  return make_dusk_sky(make_form_sky(form, day.sun, condition.diffuse_lux), sun, options.turbidity, level,
+                       given ? kGivenHandover : kClearHandover, 1.0 - form.whiteness);
+}
+
+std::unique_ptr<SkyModel> preetham(const SkyOptions& options, const SunPosition& sun, bool rescaled) {
+  const Day day = day_of(sun);
+  const double turbidity = rescaled ? std::max(options.turbidity, 2.0) : options.turbidity;
+  const SkyForm form{preetham_shapes(turbidity).luminance, Indicatrix::Perez, turbidity, 0.0};
+  const double zenith_cdm2 = std::max(preetham_zenith(turbidity, day.zenith_rad).luminance_kcdm2, 0.0) * 1e3;
+  auto published = make_form_sky_at_zenith(form, day.sun, zenith_cdm2);
+  if (rescaled) {
+    const double level = diffuse_level_lux(clear_condition(turbidity, day).diffuse_lux, sun, turbidity);
+    return make_dusk_sky(std::move(published), sun, turbidity, level, kClearHandover, 1.0);
+  }
+  const double level = luminance(horizontal_illuminance(*published)) * twilight_dimming(sun.elevation_rad);
+  return make_dusk_sky(std::move(published), sun, turbidity, level, kGivenHandover, 1.0);
+}
+
+// The standard leaves level and colour open: between Krochmann's overcast (300 + 21000 sin) and the clear-sky model.
+std::unique_ptr<SkyModel> cie(int type, const SkyOptions& options, const SunPosition& sun) {
+  const Day day = day_of(sun);
+  const double clearness = cie_clearness(type);
+  const double overcast_lux = 300.0 + 21000.0 * std::sin(day.sun.elevation_rad);
+  const double clear_lux = std::max(clear_condition(options.turbidity, day).diffuse_lux, 1.0);
+  const double lux = std::exp(glm::mix(std::log(overcast_lux), std::log(clear_lux), clearness));
+  const SkyForm form{cie_shape(type), Indicatrix::Cie, std::max(options.turbidity, 2.0), 1.0 - clearness};
+  return make_dusk_sky(make_form_sky(form, day.sun, lux), sun, options.turbidity,
+                       lux * twilight_dimming(sun.elevation_rad), kGivenHandover, clearness);
+}
+
+std::unique_ptr<SkyModel> scattering(const SkyOptions& options, const SunPosition& sun) {
+  const Day day = day_of(sun);
+  const double level = diffuse_level_lux(clear_condition(options.turbidity, day).diffuse_lux, sun, options.turbidity);
+  return make_dusk_sky(make_scattering_sky(options.turbidity, day.sun), sun, options.turbidity, level, kClearHandover,
+                       1.0);
+}
+
+int cie_type(const std::string& text) {
+  try {
+    std::size_t used = 0;
+    const int type = std::stoi(text, &used);
+    if (used == text.size() && type >= 1 && type <= 15) return type;
+  } catch (const std::logic_error&) {
+    // not a number: the same message
+  }
+  throw std::runtime_error("unknown sky model `cie:" + text + "`\nthe CIE skies are cie:1 to cie:15");
+}
+
 }  // namespace
 
+glm::dvec3 SkyModel::luminance_xyz(const glm::dvec3& direction_in_world) const {
+  return xyz_from_rgb(luminance_rgb(direction_in_world));
+}
+
 std::unique_ptr<SkyModel> make_sky(const SkyOptions& options, const SunPosition& sun) {
-  if (options.model == "none") return std::make_unique<BlackSky>();
-  if (options.model == "perez") return make_perez_sky(options.turbidity, sun);
-  throw std::runtime_error("unknown sky model `" + options.model + "`\nknown models: perez, none");
+  const std::string& model = options.model;
+  if (model == "none") return std::make_unique<BlackSky>();
+  if (model == "perez") return perez(options, sun);
+  if (model == "preetham") return preetham(options, sun, false);
+  if (model == "preetham:rescaled") return preetham(options, sun, true);
+  if (model == "scattering") return scattering(options, sun);
+  if (model == "reference") return make_reference_sky(options.turbidity, sun);
+  if (model.starts_with("cie:")) return cie(cie_type(model.substr(4)), options, sun);
+  if (model.starts_with("image:")) {
+    const double diffuse_lux =
+        diffuse_level_lux(clear_condition(options.turbidity, day_of(sun)).diffuse_lux, sun, options.turbidity);
+    return make_image_sky(model.substr(6), sun, diffuse_lux);
+  }
+  throw std::runtime_error("unknown sky model `" + model +
+                           "`\nknown models: perez, preetham, preetham:rescaled, cie:1 to cie:15, scattering, "
+                           "reference, image:FILE, none");
 }
 
 }  // namespace render

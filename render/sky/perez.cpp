@@ -5,13 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/sun/air_mass.h"
-
 namespace render {
 namespace {
 
 constexpr int kBins = 8;
-constexpr double kMaxZenithRad = 87.0 / 180.0 * std::numbers::pi;
+constexpr double kLeastBrightness = 0.01;
+constexpr double kMostBrightness = 0.6;
 
 // Perez 1993, table 1: x = x1 + x2 Z + delta (x3 + x4 Z).
 struct Row {
@@ -94,27 +93,33 @@ double linear(const std::array<double, 4>& x, double zenith, double delta) {
   return x[0] + x[1] * zenith + delta * (x[2] + x[3] * zenith);
 }
 
-// Brightness inside the range in which the bin's b is at most -0.01.
+// Brightness inside the range in which the bin's b is negative: beyond it luminance overflows at the horizon.
 double valid_brightness(int bin, double delta, double zenith) {
-  constexpr double kMargin = 0.01;
+  constexpr double kMargin = 0.001;
   const auto& b = kCoefficients[static_cast<std::size_t>(bin)].b;
   if (bin >= 1 && bin <= 4) delta = std::max(delta, 0.2);  // the authors' patch for dark, half clear skies
   const double slope = b[2] + b[3] * zenith;
   const double limit = (-kMargin - b[0] - b[1] * zenith) / slope;
   if (linear(b, zenith, delta) <= -kMargin) return delta;
-  return std::max(limit, 0.01);
+  return std::clamp(limit, kLeastBrightness, kMostBrightness);
 }
 
 PerezShape bin_shape(int bin, double brightness, double zenith) {
   const Row& row = kCoefficients[static_cast<std::size_t>(bin)];
   const double delta = valid_brightness(bin, brightness, zenith);
-  PerezShape shape{linear(row.a, zenith, delta), std::min(linear(row.b, zenith, delta), -0.01),
+  PerezShape shape{linear(row.a, zenith, delta), std::min(linear(row.b, zenith, delta), -0.001),
                    linear(row.c, zenith, delta), linear(row.d, zenith, delta), linear(row.e, zenith, delta)};
   if (bin == 0) {  // Perez 1993, eq. 7 and 8
     shape.c = std::exp(std::pow(delta * (row.c[0] + row.c[1] * zenith), row.c[2])) - row.c[3];
     shape.d = -std::exp(delta * (row.d[0] + row.d[1] * zenith)) + row.d[2] + delta * row.d[3];
   }
   return shape;
+}
+
+// Relative air mass after Kasten 1966, the one that Perez's tables were fitted with.
+double kasten_air_mass(double zenith_rad) {
+  const double zenith_deg = std::clamp(zenith_rad * 180.0 / std::numbers::pi, 0.0, 90.0);
+  return 1.0 / (std::cos(zenith_deg / 180.0 * std::numbers::pi) + 0.15 * std::pow(93.885 - zenith_deg, -1.253));
 }
 
 double mix(double from, double to, double weight) {
@@ -140,12 +145,17 @@ double sky_clearness(double dni_wm2, double dhi_wm2, double sun_zenith_rad) {
 }
 
 double sky_brightness(double dhi_wm2, double sun_zenith_rad, double extraterrestrial_normal_wm2) {
-  const double air_mass = relative_air_mass(std::numbers::pi / 2.0 - sun_zenith_rad);
-  return std::clamp(std::max(dhi_wm2, 0.0) * air_mass / extraterrestrial_normal_wm2, 0.01, 0.6);
+  const double air_mass = kasten_air_mass(sun_zenith_rad);
+  return std::clamp(std::max(dhi_wm2, 0.0) * air_mass / extraterrestrial_normal_wm2, kLeastBrightness, kMostBrightness);
+}
+
+double dhi_from_brightness(double brightness, double sun_zenith_rad, double extraterrestrial_normal_wm2) {
+  return brightness * extraterrestrial_normal_wm2 / kasten_air_mass(sun_zenith_rad);
 }
 
 PerezShape perez_shape(double clearness, double brightness, double sun_zenith_rad, PerezBins bins) {
-  const double zenith = std::clamp(sun_zenith_rad, 0.0, kMaxZenithRad);
+  const double zenith = std::clamp(sun_zenith_rad, 0.0, std::numbers::pi / 2.0);
+  brightness = std::clamp(brightness, kLeastBrightness, kMostBrightness);
   if (bins == PerezBins::Original) return bin_shape(bin_of(clearness), brightness, zenith);
   const double held = std::clamp(clearness, kBinCentre.front(), kBinCentre.back());
   std::size_t low = 0;
@@ -155,6 +165,12 @@ PerezShape perez_shape(double clearness, double brightness, double sun_zenith_ra
   const PerezShape to = bin_shape(static_cast<int>(low) + 1, brightness, zenith);
   return {mix(from.a, to.a, weight), mix(from.b, to.b, weight), mix(from.c, to.c, weight), mix(from.d, to.d, weight),
           mix(from.e, to.e, weight)};
+}
+
+PerezShape without_dark_zenith(PerezShape shape) {
+  constexpr double kLeastGradation = 1e-4;
+  shape.a = std::max(shape.a, (kLeastGradation - 1.0) * std::exp(-shape.b));
+  return shape;
 }
 
 double diffuse_efficacy(double clearness, double brightness, double sun_zenith_rad) {

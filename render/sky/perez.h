@@ -20,18 +20,25 @@ double perez_luminance(const PerezShape& shape, double cos_view_zenith, double g
 // as 0) and the sun's zenith angle. Within [1, 12]; 1 where there is no light at all.
 double sky_clearness(double dni_wm2, double dhi_wm2, double sun_zenith_rad);
 
-// Sky brightness, Perez 1990 eq. 2, with the relative air mass of Kasten & Young 1989. Within [0.01, 0.6].
+// Sky brightness, Perez 1990 eq. 2, with the relative air mass of Kasten 1966, as they used it. Within [0.01, 0.6].
 double sky_brightness(double dhi_wm2, double sun_zenith_rad, double extraterrestrial_normal_wm2);
+
+// The diffuse horizontal irradiance in W/m2 that has that brightness: the inverse of sky_brightness().
+double dhi_from_brightness(double brightness, double sun_zenith_rad, double extraterrestrial_normal_wm2);
 
 // Whether the coefficients change in steps at the limits of the eight clearness bins, as published, or are interpolated
 // between the bins' centres, so that a changing sky does not jump.
 enum class PerezBins { Original, Interpolated };
 
-// Shape for clearness in [1, inf), brightness and the sun's zenith angle in [0, pi/2] (larger angles count as 87
-// degrees: the model was fitted up to there). Brightness is held inside each bin's limits of validity: at least 0.2 in
-// bins 2 to 5, and such that b stays negative in bins 6 and 8.
+// Shape for clearness in [1, inf), brightness and the sun's zenith angle, held in [0, pi/2]. Brightness is held within
+// [0.01, 0.6] and inside each bin's limits of validity: at least 0.2 in bins 2 to 5, and such that b stays negative in
+// bins 6 and 8.
 PerezShape perez_shape(double clearness, double brightness, double sun_zenith_rad,
                        PerezBins bins = PerezBins::Interpolated);
+
+// The shape with `a` raised as far as it takes for the gradation to stay positive up to the zenith. Outside their range
+// the tables give skies that are negative there, and then everywhere once they are normalised.
+PerezShape without_dark_zenith(PerezShape shape);
 
 // Luminous efficacy in lm/W of diffuse and of direct light (Perez 1990, eq. 7 and 8, tables 4), by clearness,
 // brightness and zenith angle, for 2 cm of precipitable water.

@@ -8,7 +8,7 @@ namespace render {
 namespace {
 
 double held_turbidity(double turbidity) {
-  return std::clamp(turbidity, 2.0, 10.0);
+  return std::clamp(turbidity, 1.7, 10.0);
 }
 
 double cubic(double t, double k3, double k2, double k1, double k0) {

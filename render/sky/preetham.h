@@ -11,8 +11,8 @@ struct PreethamShapes {
   PerezShape y;
 };
 
-// The paper's coefficients for turbidity, which is held inside [2, 10]: below 2 the published luminance runs into a
-// division by zero at 1.64, above 10 it turns negative at low sun.
+// The paper's four-decimal coefficients for turbidity, which is held inside [1.7, 10]: at 1.643 the published luminance
+// divides by zero, above 10 it turns negative at low sun. Real skies want 2 and more.
 PreethamShapes preetham_shapes(double turbidity);
 
 // Zenith values.
@@ -22,7 +22,7 @@ struct PreethamZenith {
   double y = 0.0;
 };
 
-// Appendix A.2 for turbidity in [2, 10] and the sun's zenith angle in [0, pi/2], both held there. The published
+// Appendix A.2 for turbidity in [1.7, 10] and the sun's zenith angle in [0, pi/2], both held there. The published
 // luminance is about 2.3 times too bright.
 PreethamZenith preetham_zenith(double turbidity, double sun_zenith_rad);
 

@@ -23,7 +23,7 @@ const std::vector<Rule> kRules{
     {"ar", R"((render|calib|app)/.*)"},
     {"calib", R"((render|app)/.*)"},
     {"render/sun", R"(render/(?!sun/).*)"},
-    {"render/sky", R"(render/(?!sun/|sky/|scene/image_io\.h|scene/model\.h).*|(EGL|GLES[23]?)/.*)"},
+    {"render/sky", R"(render/(?!sun/|sky/|medium/|scene/image_io\.h|scene/model\.h).*|(EGL|GLES[23]?)/.*)"},
     {"render/medium", R"(render/(?!medium/).*|(EGL|GLES[23]?)/.*)"},
     {"render/gl", R"(render/(?!gl/).*)"},
 };
