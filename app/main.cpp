@@ -48,6 +48,8 @@ void add_commands(CLI::App& cli, app::Program& program) {
   app::add_explain_command(cli, program);
   app::add_detect_command(cli, program);
   app::add_sun_command(cli, program);
+  app::add_synth_command(cli, program);
+  app::add_contact_command(cli, program);
   app::add_doctor_command(cli, program);
 }
 

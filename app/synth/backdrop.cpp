@@ -30,6 +30,7 @@ Backdrop::Backdrop(const Spec& spec, const Light& light) {
   bake_sky(spec, light);
   if (spec.horizon) {
     bake_hills(spec, light);
+    bake_meadow(spec, light);
     bake_trees(spec, light);
   }
 }
@@ -119,13 +120,34 @@ void Backdrop::bake_hills(const Spec& spec, const Light& light) {
   }
 }
 
+// Grass from the end of the near ground to the trees' feet.
+void Backdrop::bake_meadow(const Spec& spec, const Light& light) {
+  const glm::vec3 up(0.0F, 0.0F, 1.0F);
+  const glm::vec3 lux = light.sun_illuminance() * std::max(light.sun_direction().z, 0.0F) + light.sky_illuminance(up);
+  parallel_for(kBelow, [&](int y) {
+    const float down = (static_cast<float>(kBelow - y) - 0.5F) * 2.0F * kPi / kWidth;
+    const float distance_m = std::min(1.6F / down, 400.0F);
+    for (int x = 0; x < kWidth; ++x) {
+      const float azimuth = 2.0F * kPi * (static_cast<float>(x) + 0.5F) / kWidth;
+      const glm::vec2 at = glm::vec2(std::sin(azimuth), std::cos(azimuth)) * distance_m;
+      const float dry = fractal_noise(at * 0.05F, 4, spec.seed + 650U);
+      const float tuft = fractal_noise(at * 0.7F, 3, spec.seed + 651U);
+      const glm::vec3 albedo =
+          glm::mix(glm::vec3(0.050F, 0.080F, 0.022F), glm::vec3(0.15F, 0.14F, 0.065F), dry) * (0.55F + 0.9F * tuft);
+      const float haze = 1.0F - std::exp(-distance_m / 900.0F);
+      texel(x, y) = glm::mix(albedo * lux / kPi, 0.85F * sky(azimuth, 0.03F), haze);
+    }
+  });
+}
+
 void Backdrop::bake_trees(const Spec& spec, const Light& light) {
+  constexpr int kSectors = 5;
   constexpr int kKinds = 4;
   constexpr float kTexelsPerMetre = 22.0F;
   Random random(spec.seed + 700U);
   const int count = 340;
-  for (int sector = 0; sector < 8; ++sector) {  // light falls differently on trees in different directions
-    const float middle = 2.0F * kPi * (static_cast<float>(sector) + 0.5F) / 8.0F;
+  for (int sector = 0; sector < kSectors; ++sector) {  // light falls differently on trees in different directions
+    const float middle = 2.0F * kPi * (static_cast<float>(sector) + 0.5F) / kSectors;
     std::array<Painting, kKinds> kinds;
     parallel_for(kKinds, [&](int k) {
       const PlantSpec plant{.kind = k == 3 ? "cypress" : "tree",
@@ -142,8 +164,8 @@ void Backdrop::bake_trees(const Spec& spec, const Light& light) {
       bool mirrored;
     };
     std::vector<Stand> stands;
-    for (int i = 0; i < count / 8; ++i) {
-      const float azimuth = middle + random.between(-0.5F, 0.5F) * 2.0F * kPi / 8.0F;
+    for (int i = 0; i < count / kSectors; ++i) {
+      const float azimuth = middle + random.between(-0.5F, 0.5F) * 2.0F * kPi / kSectors;
       const float wood = ring_noise(azimuth, 22.0F, 3, spec.seed + 720U);
       if (wood < 0.40F) continue;
       stands.push_back({azimuth, random.between(62.0F, 170.0F),

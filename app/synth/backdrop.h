@@ -20,6 +20,7 @@ class Backdrop {
   glm::vec3 sky(float azimuth, float elevation) const;
   void bake_sky(const Spec& spec, const Light& light);
   void bake_hills(const Spec& spec, const Light& light);
+  void bake_meadow(const Spec& spec, const Light& light);
   void bake_trees(const Spec& spec, const Light& light);
   glm::vec3& texel(int x, int y) { return panorama_[static_cast<std::size_t>(y * kWidth + x)]; }
 

@@ -123,29 +123,11 @@ glm::vec3 stone_colour(std::uint32_t h) {
   return glm::mix(kPalette[first], kPalette[second], 0.5F * unit_float(mix_bits(h + 2U)));
 }
 
-// Natural flagstones: riven faces, worn rounded edges, joints of sand and soil with moss where it is shady.
-struct Paving {
-  Relief relief;
-  float joint = 0.0F;  // 1 in the joint, 0 on a stone
-};
+constexpr float kStonesPerMetre = 1.9F;
 
-Paving paving(glm::vec2 p, std::uint32_t seed, bool stone_missing(glm::vec2 centre_m, const void* user),
-              const void* user) {
-  constexpr float kStonesPerMetre = 1.9F;
-  const glm::vec2 wobble(fractal_noise(p * 3.1F, 4, seed + 31U), fractal_noise(p * 3.1F + 40.0F, 4, seed + 32U));
-  const glm::vec2 q = (p + 0.085F * (wobble - 0.5F)) * kStonesPerMetre;
-  const Stone stone = find_stone(q, seed + 33U);
+// The riven, worn top of one flagstone; `inside`: metres from its edge.
+Relief stone_face(glm::vec2 p, const Stone& stone, float inside, std::uint32_t seed) {
   const std::uint32_t h = hash_cell(stone.cell.x, stone.cell.y, seed + 34U);
-  const float border_m = stone.border / kStonesPerMetre;
-  const float half_joint = 0.009F + 0.010F * fractal_noise(p * 6.0F, 2, seed + 35U);
-  const float chips = 0.010F * (fractal_noise(p * 38.0F, 3, seed + 36U) - 0.5F);
-  const float inside = border_m + chips - half_joint;
-  Paving out;
-  out.joint = 1.0F - smooth_ramp(-0.002F, 0.004F, inside);
-  if (stone_missing(stone.centre / kStonesPerMetre, user)) {
-    out.joint = 2.0F;  // no stone was laid here
-    return out;
-  }
   const float riven = fractal_noise(p * 5.0F + glm::vec2(h & 63U, h >> 26U), 6, seed + 37U, 0.55F);
   const float grain = fractal_noise(p * 95.0F, 3, seed + 38U, 0.6F);
   const float stain = fractal_noise(p * 0.75F, 5, seed + 39U, 0.55F);
@@ -161,14 +143,47 @@ Paving paving(glm::vec2 p, std::uint32_t seed, bool stone_missing(glm::vec2 cent
   const float lichen = smooth_ramp(0.66F, 0.74F, fractal_noise(p * 11.0F + 90.0F, 4, seed + 42U)) *
                        smooth_ramp(0.52F, 0.62F, fractal_noise(p * 0.9F + 5.0F, 2, seed + 43U));
   face.albedo = glm::mix(face.albedo, glm::vec3(0.50F, 0.49F, 0.41F) * (0.7F + 0.5F * grain), 0.55F * lichen);
-  face.height_m = 0.012F * edge + 0.0055F * riven + 0.0011F * grain - 0.003F * pits + 0.004F * unit_float(h) +
-                  glm::dot(tilt, q - stone.centre) + 0.014F;
+  face.height_m = 0.008F * edge + 0.0055F * riven + 0.0011F * grain - 0.003F * pits + 0.004F * unit_float(h) +
+                  glm::dot(tilt, kStonesPerMetre * p - stone.centre) + 0.008F;
   face.gloss = 0.45F * edge * (1.0F - 0.6F * lichen) * (0.4F + riven);
+  return face;
+}
+
+// Sand and soil between the stones, mossy here and there.
+Relief stone_joint(glm::vec2 p, std::uint32_t seed) {
   Relief joint = soil(p, seed + 44U);
   const float moss = smooth_ramp(0.46F, 0.60F, fractal_noise(p * 1.3F + 3.0F, 4, seed + 45U));
   const float cushion = fractal_noise(p * 80.0F, 3, seed + 46U);
   joint.albedo = glm::mix(joint.albedo, glm::vec3(0.055F, 0.085F, 0.020F) * (0.45F + 1.3F * cushion), 0.9F * moss);
   joint.height_m += moss * (0.006F + 0.006F * cushion);
+  return joint;
+}
+
+// Natural flagstones: riven faces, worn rounded edges, joints of sand and soil with moss where it is shady.
+struct Paving {
+  Relief relief;
+  float joint = 0.0F;  // 1 in the joint, 0 on a stone
+};
+
+Paving paving(glm::vec2 p, std::uint32_t seed, bool stone_missing(glm::vec2 centre_m, const void* user),
+              const void* user) {
+  const glm::vec2 wobble(fractal_noise(p * 3.1F, 4, seed + 31U), fractal_noise(p * 3.1F + 40.0F, 4, seed + 32U));
+  const glm::vec2 q = (p + 0.085F * (wobble - 0.5F)) * kStonesPerMetre;
+  const Stone stone = find_stone(q, seed + 33U);
+  const float border_m = stone.border / kStonesPerMetre;
+  const float half_joint = 0.005F + 0.009F * fractal_noise(p * 6.0F, 2, seed + 35U);
+  const float chips = 0.010F * (fractal_noise(p * 38.0F, 3, seed + 36U) - 0.5F);
+  const float inside = border_m + chips - half_joint;
+  Paving out;
+  out.joint = 1.0F - smooth_ramp(-0.002F, 0.004F, inside);
+  if (stone_missing(stone.centre / kStonesPerMetre, user)) {
+    out.joint = 2.0F;  // no stone was laid here
+    return out;
+  }
+  Relief face;
+  if (out.joint < 1.0F) face = stone_face(p, stone, inside, seed);
+  Relief joint;
+  if (out.joint > 0.0F) joint = stone_joint(p, seed);
   out.relief = blend(face, joint, out.joint);
   return out;
 }
@@ -381,31 +396,29 @@ const std::vector<std::string>& box_surfaces() {
   return kNames;
 }
 
-GroundTextures bake_ground(const GroundSpec& ground, const glm::vec2& center, const glm::vec3& sun_direction,
-                           std::uint32_t seed) {
-  constexpr int kNearSize = 4096;
-  constexpr float kNearMetres = 16.384F;  // 4 mm a texel
+GroundTextures bake_ground(const GroundSpec& ground, const glm::vec2& eye, const glm::vec2& focus,
+                           const glm::vec3& sun_direction, std::uint32_t seed) {
+  constexpr int kSize = 2048;
   constexpr int kAroundSize = 1024;
   constexpr float kAroundMetres = 8.0F;
   GroundTextures textures;
-  textures.origin = center - 0.5F * kNearMetres;
-  textures.near = finish(
-      kNearSize, kNearMetres,
-      fill(kNearSize, kNearMetres, [&](glm::vec2 p) { return ground_relief(ground, textures.origin + p, seed); }),
-      sun_direction);
+  const auto bake = [&](float metres, const glm::vec2& middle) {
+    const glm::vec2 origin = middle - 0.5F * metres;
+    const auto field = [&](glm::vec2 p) { return ground_relief(ground, origin + p, seed); };
+    return GroundTextures::Part{finish(kSize, metres, fill(kSize, metres, field), sun_direction), origin};
+  };
+  const glm::vec2 ahead = focus == eye ? glm::vec2(0.0F) : glm::normalize(focus - eye);
+  textures.parts = {bake(7.168F, eye + 4.6F * ahead), bake(18.432F, focus)};  // 3.5 mm and 9 mm a texel
   const std::string& around = ground.extent[2] - ground.extent[0] > 1e3 ? ground.surface : ground.around;
-  textures.around =
-      finish(kAroundSize, kAroundMetres,
-             fill(kAroundSize, kAroundMetres,
-                  [&](glm::vec2 p) {
-                    return seamless(p, kAroundMetres, [&](glm::vec2 q) { return simple_ground(around, q, seed); });
-                  }),
-             sun_direction);
+  const auto field = [&](glm::vec2 p) {
+    return seamless(p, kAroundMetres, [&](glm::vec2 q) { return simple_ground(around, q, seed); });
+  };
+  textures.around = finish(kAroundSize, kAroundMetres, fill(kAroundSize, kAroundMetres, field), sun_direction);
   return textures;
 }
 
 Texture bake_box_surface(const std::string& surface, std::uint32_t seed) {
-  constexpr int kSize = 2048;
+  constexpr int kSize = 1024;
   constexpr float kMetres = 8.192F;
   return finish(kSize, kMetres, fill(kSize, kMetres, [&](glm::vec2 p) { return box_relief(surface, p, seed); }), {});
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,15 +13,18 @@ namespace app::synth {
 const std::vector<std::string>& ground_surfaces();
 const std::vector<std::string>& box_surfaces();
 
-// The ground near the scene: its own surface within the extent, the surrounding one beyond, with their border between
-// stones and grass as it grows. Covers `side_m` about `center`; the relief shades itself from `sun_direction`.
+// The ground near the scene in two parts, fine before the eye and coarser about it; the surface within the extent, the
+// surrounding one beyond, with the border between stones and grass as it grows. The relief shades itself from the sun.
 struct GroundTextures {
-  Texture near;            // at world - origin
-  glm::vec2 origin{0.0F};  // south-west corner of `near`
-  Texture around;          // repeats beyond
+  struct Part {
+    Texture texture;
+    glm::vec2 origin{0.0F};  // its south-west corner in the world
+  };
+  std::array<Part, 2> parts;  // finest first
+  Texture around;             // repeats beyond
 };
-GroundTextures bake_ground(const GroundSpec& ground, const glm::vec2& center, const glm::vec3& sun_direction,
-                           std::uint32_t seed);
+GroundTextures bake_ground(const GroundSpec& ground, const glm::vec2& eye, const glm::vec2& focus,
+                           const glm::vec3& sun_direction, std::uint32_t seed);
 
 // A wall's or block's surface, (u, v) in metres with v up.
 Texture bake_box_surface(const std::string& surface, std::uint32_t seed);

@@ -70,7 +70,7 @@ void write_scene(const std::filesystem::path& file, const Spec& spec, double exp
       "# The real world of the clip beside this file, as it was made. Add `medium:` and `objects:`.\nskyshaft: 1\n");
   fmt::print(out, "place: {{ latitude: {:.9g}, longitude: {:.9g}, height: {:.9g} }}\n", spec.latitude_deg,
              spec.longitude_deg, spec.height_m);
-  fmt::print(out, "time: {}\nexposure: {:.9g}\n", ar::format_time(spec.time), exposure);
+  fmt::print(out, "time: {}\nexposure: {{ white_luminance: {:.9g} }}\n", ar::format_time(spec.time), 1.0 / exposure);
   fmt::print(out, "sky: {{ model: {}, turbidity: {:.9g} }}\n", spec.sky_model, spec.turbidity);
   fmt::print(out, "tags:\n  family: {}\n  map:\n", spec.tags.family);
   for (const auto& [id, tag] : spec.tags.tags) {

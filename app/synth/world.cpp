@@ -38,7 +38,7 @@ bool in_cone(const glm::vec3& apex, const glm::vec3& axis, float half_angle_rad,
 
 World::World(const Spec& spec, const glm::vec3& eye, const glm::vec3& focus)
     : light_(spec),
-      ground_(bake_ground(spec.ground, glm::vec2(focus), light_.sun_direction(), spec.seed)),
+      ground_(bake_ground(spec.ground, glm::vec2(eye), glm::vec2(focus), light_.sun_direction(), spec.seed)),
       seed_(spec.seed),
       backdrop_(spec, light_) {
   add_boxes(spec);

@@ -131,16 +131,22 @@ glm::vec3 World::shade_ground(const glm::vec3& point, const glm::vec3& direction
                               Random& random) const {
   const float slant = std::max(-direction.z, 1e-3F);
   const float footprint = t * spread_rad / std::sqrt(slant);  // geometric mean of the ellipse's axes
-  const glm::vec2 local = glm::vec2(point) - ground_.origin;
-  const float side = ground_.near.metres();
-  const bool near = local.x > 0.0F && local.y > 0.0F && local.x < side && local.y < side;
-  SurfacePoint surface = near ? ground_.near.sample(local, footprint, random.next())
-                              : ground_.around.sample(glm::vec2(point), footprint, random.next());
-  const float patch =
-      value_noise(glm::vec2(point) * 0.21F, seed_ + 40U) + 0.5F * value_noise(glm::vec2(point) * 0.83F, seed_ + 41U);
-  if (!near) surface.albedo *= 0.70F + 0.42F * patch;
+  const glm::vec2 at(point);
+  SurfacePoint surface;
+  const auto* const part = std::find_if(ground_.parts.begin(), ground_.parts.end(), [&](const auto& candidate) {
+    const glm::vec2 local = at - candidate.origin;
+    return local.x > 0.0F && local.y > 0.0F && local.x < candidate.texture.metres() &&
+           local.y < candidate.texture.metres();
+  });
+  if (part != ground_.parts.end()) {
+    surface = part->texture.sample(at - part->origin, footprint, random.next());
+  } else {  // slow changes of tone hide that it repeats
+    surface = ground_.around.sample(at, footprint, random.next());
+    surface.albedo *=
+        0.70F + 0.42F * value_noise(at * 0.21F, seed_ + 40U) + 0.21F * value_noise(at * 0.83F, seed_ + 41U);
+  }
   static const glm::mat3 kLevel(1.0F);
-  return shade(surface, kLevel, point, -direction, openness(glm::vec2(point)), random);
+  return shade(surface, kLevel, point, -direction, openness(at), random);
 }
 
 glm::vec3 World::shade_block(const Block& block, const glm::vec3& point, const glm::vec3& normal_local,
