@@ -25,11 +25,6 @@ std::array<double, 9> basis(const glm::dvec3& n) {
           0.546274 * (n.x * n.x - n.y * n.y)};
 }
 
-void add(Sh9& sh, const glm::dvec3& direction, const glm::dvec3& radiance, double solid_angle_sr) {
-  const std::array<double, 9> y = basis(direction);
-  for (std::size_t i = 0; i < sh.size(); ++i) sh[i] += radiance * (y[i] * solid_angle_sr);
-}
-
 // Each band multiplied by its factor, evaluated in a direction, not below 0.
 glm::dvec3 evaluate(const Sh9& sh, const glm::dvec3& band_factors, const glm::dvec3& direction) {
   const std::array<double, 9> y = basis(glm::normalize(direction));
@@ -40,18 +35,23 @@ glm::dvec3 evaluate(const Sh9& sh, const glm::dvec3& band_factors, const glm::dv
 
 }  // namespace
 
+void add_to_sh(Sh9& sh, const glm::dvec3& direction_in_world, const glm::dvec3& luminance_rgb, double solid_angle_sr) {
+  const std::array<double, 9> y = basis(direction_in_world);
+  for (std::size_t i = 0; i < sh.size(); ++i) sh[i] += luminance_rgb * (y[i] * solid_angle_sr);
+}
+
 SkyLight sky_light(const SkyModel& sky, const glm::dvec3& sun_horizontal_illuminance_rgb, double ground_albedo) {
   SkyLight light;
   for (const SolidAngleSample& sample : upper_hemisphere()) {
     const glm::dvec3 radiance = sky.luminance_rgb(sample.direction_in_world);
-    add(light.radiance_sh, sample.direction_in_world, radiance, sample.solid_angle_sr);
+    add_to_sh(light.radiance_sh, sample.direction_in_world, radiance, sample.solid_angle_sr);
     light.horizontal_illuminance_rgb += radiance * (sample.direction_in_world.z * sample.solid_angle_sr);
   }
   const glm::dvec3 ground =
       (light.horizontal_illuminance_rgb + sun_horizontal_illuminance_rgb) * (ground_albedo / std::numbers::pi);
   for (const SolidAngleSample& sample : upper_hemisphere()) {
     const glm::dvec3& up = sample.direction_in_world;
-    add(light.radiance_sh, {up.x, up.y, -up.z}, ground, sample.solid_angle_sr);
+    add_to_sh(light.radiance_sh, {up.x, up.y, -up.z}, ground, sample.solid_angle_sr);
   }
   return light;
 }

@@ -12,6 +12,10 @@ namespace render {
 // with the world's axes (y, z, x for band 1: Ramamoorthi & Hanrahan 2001).
 using Sh9 = std::array<glm::dvec3, 9>;
 
+// Adds light of that luminance from a unit direction, spread over a small solid angle.
+void add_to_sh(Sh9& radiance_sh, const glm::dvec3& direction_in_world, const glm::dvec3& luminance_rgb,
+               double solid_angle_sr);
+
 // A sky boiled down to what lighting needs.
 struct SkyLight {
   Sh9 radiance_sh{};                           // luminance_rgb of sky and of the ground below the horizon
