@@ -3,7 +3,7 @@
 namespace render {
 namespace {
 
-enum Feature : unsigned { kObjects = 1, kShafts = 2, kLens = 4 };
+enum Feature : unsigned { kObjects = 1, kShafts = 2, kLens = 4, kShaftsHalf = 8 };
 
 void bind(const gl::Program& program, const char* sampler, int unit, GLuint texture) {
   program.set(sampler, unit);
@@ -14,13 +14,17 @@ void bind(const gl::Program& program, const char* sampler, int unit, GLuint text
 }  // namespace
 
 unsigned CompositeLayers::variant() const {
-  return (objects != nullptr ? kObjects : 0U) | (shafts != nullptr ? kShafts : 0U) | (lens != nullptr ? kLens : 0U);
+  const bool half =
+      shafts != nullptr && lens == nullptr && 2 * shafts->width == view->width && 2 * shafts->height == view->height;
+  return (objects != nullptr ? kObjects : 0U) | (shafts != nullptr ? kShafts : 0U) | (lens != nullptr ? kLens : 0U) |
+         (half ? kShaftsHalf : 0U);
 }
 
 void add_layer_defines(unsigned variant, gl::Defines& defines) {
   if ((variant & kObjects) != 0) defines.push_back({"OBJECTS"});
   if ((variant & kShafts) != 0) defines.push_back({"SHAFTS"});
   if ((variant & kLens) != 0) defines.push_back({"LENS"});
+  if ((variant & kShaftsHalf) != 0) defines.push_back({"SHAFTS_HALF"});
 }
 
 void bind_layers(const CompositeLayers& layers, const gl::Program& program) {

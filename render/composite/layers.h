@@ -14,7 +14,7 @@ struct CompositeLayers {
   const LensLookup* lens = nullptr;         // null: the ideal picture is the real one, pixel by pixel
   const View* view = nullptr;               // the ideal picture; needed with shafts
 
-  // Distinguishes the programs' variants, [0, 8).
+  // Distinguishes the programs' variants, [0, 16).
   unsigned variant() const;
 };
 

@@ -10,12 +10,13 @@
 // variant: BIT_DEPTH=8 CHROMA=420 SITING_X=0 SITING_Y=1 TRANSFER=0 OBJECTS
 // variant: BIT_DEPTH=8 CHROMA=420 SITING_X=0 SITING_Y=1 TRANSFER=0 SHAFTS
 // variant: BIT_DEPTH=8 CHROMA=420 SITING_X=0 SITING_Y=1 TRANSFER=0 OBJECTS SHAFTS
+// variant: BIT_DEPTH=8 CHROMA=420 SITING_X=0 SITING_Y=1 TRANSFER=0 OBJECTS SHAFTS SHAFTS_HALF
 // variant: BIT_DEPTH=8 CHROMA=420 SITING_X=1 SITING_Y=1 TRANSFER=1 OBJECTS SHAFTS LENS
 // variant: BIT_DEPTH=8 CHROMA=420 SITING_X=0 SITING_Y=0 TRANSFER=2 OBJECTS LENS
 // variant: BIT_DEPTH=8 CHROMA=422 SITING_X=0 SITING_Y=0 TRANSFER=0 SHAFTS LENS
 // variant: BIT_DEPTH=8 CHROMA=444 SITING_X=0 SITING_Y=0 TRANSFER=3 GAMMA=2.2 OBJECTS SHAFTS
 // variant: BIT_DEPTH=10 CHROMA=420 SITING_X=0 SITING_Y=0 TRANSFER=0 OBJECTS SHAFTS WIDE_GAMUT
-// variant: BIT_DEPTH=10 CHROMA=422 SITING_X=0 SITING_Y=0 TRANSFER=0 OBJECTS
+// variant: BIT_DEPTH=10 CHROMA=422 SITING_X=0 SITING_Y=0 TRANSFER=0 OBJECTS SHAFTS SHAFTS_HALF
 // variant: BIT_DEPTH=10 CHROMA=444 SITING_X=0 SITING_Y=0 TRANSFER=0 OBJECTS SHAFTS LENS WIDE_GAMUT
 precision highp float;
 precision highp int;
@@ -51,13 +52,22 @@ uniform float code_max;
 #define CODED_FROM_LINEAR(v) gamma_coded_from_linear(v, GAMMA)
 #endif
 
+// Blocks start on even columns, and on even rows where they have two.
+#if CHROMA == 420
+#define BLOCK_H 2
+#define PARITY(origin) ivec2(0)
+#else
+#define BLOCK_H 1
+#define PARITY(origin) ivec2(0, (origin).y & 1)
+#endif
+
 struct Pixel {
   vec3 code;    // composited code values, not yet rounded
   float kept;   // how much of the real picture's coded detail is left, [0, 1]
 };
 
-Pixel composite_pixel(ivec2 pixel, vec3 source_code) {
-  Layers layers = layers_at(pixel);
+Pixel composite_pixel(ivec2 origin, ivec2 offset, ivec2 pixel, vec3 source_code) {
+  Layers layers = layers_at(pixel, origin, offset, PARITY(origin));
   vec3 shown = LINEAR_FROM_CODED(rgb_from_code * source_code + rgb_offset);
   vec3 light = shoulder_inverse(shown) * layers.keep + layers.add;
   // Only what the source itself holds beyond white may go beyond white.
@@ -73,9 +83,6 @@ Pixel composite_pixel(ivec2 pixel, vec3 source_code) {
 float rounded_code(float code, vec2 pixel) {
   return clamp(floor(code + 0.5 + 0.96 * dither(pixel)), code_min, code_max);
 }
-
-// A column of the block among 0 to 3 as a mask.
-vec4 only(int column) { return vec4(equal(ivec4(column), ivec4(0, 1, 2, 3))); }
 
 #if BIT_DEPTH > 8
 #define BLOCK_W 2
@@ -94,18 +101,27 @@ vec4 packed_chroma(vec4 cb, vec4 cr) { return vec4(cb.xy, cr.xy) / 255.0; }
 
 #if CHROMA == 444
 
+// Pixel `col` of the block; a literal, so that its place in the texels is known to the compiler.
+#define ADD_PIXEL(col)                                                                                     \
+  {                                                                                                        \
+    ivec2 pixel = min(origin + ivec2(col, 0), picture_last);                                               \
+    Pixel p = composite_pixel(origin, ivec2(col, 0), pixel, vec3(luma_code(pixel), chroma_code(pixel)));   \
+    first[col] = rounded_code(p.code.x, vec2(pixel));                                                      \
+    second[col] = rounded_code(p.code.y, vec2(pixel) + vec2(17.0, 5.0));                                   \
+    third[col] = rounded_code(p.code.z, vec2(pixel) + vec2(5.0, 17.0));                                    \
+  }
+
 void main() {
   ivec2 origin = ivec2(gl_FragCoord.xy) * ivec2(BLOCK_W, 1);
   vec4 first = vec4(0.0);
   vec4 second = vec4(0.0);
   vec4 third = vec4(0.0);
-  for (int x = 0; x < BLOCK_W; ++x) {
-    ivec2 pixel = min(origin + ivec2(x, 0), picture_last);
-    Pixel p = composite_pixel(pixel, vec3(luma_code(pixel), chroma_code(pixel)));
-    first += only(x) * rounded_code(p.code.x, vec2(pixel));
-    second += only(x) * rounded_code(p.code.y, vec2(pixel) + vec2(17.0, 5.0));
-    third += only(x) * rounded_code(p.code.z, vec2(pixel) + vec2(5.0, 17.0));
-  }
+  ADD_PIXEL(0)
+  ADD_PIXEL(1)
+#if BLOCK_W == 4
+  ADD_PIXEL(2)
+  ADD_PIXEL(3)
+#endif
   target0 = packed_texel(first);
   target1 = packed_texel(second);
   target2 = packed_texel(third);
@@ -113,11 +129,6 @@ void main() {
 
 #else
 
-#if CHROMA == 420
-#define BLOCK_H 2
-#else
-#define BLOCK_H 1
-#endif
 // Co-sited chroma is filtered by 1 2 1 about its own column or row, so the pixel before the block counts too.
 #define HALO_X (1 - SITING_X)
 #if CHROMA == 420
@@ -183,6 +194,35 @@ vec2 finish(ChromaSum sum, ivec2 sample_at, vec2 dither_at) {
   return vec2(rounded_code(code.x, dither_at + vec2(17.0, 5.0)), rounded_code(code.y, dither_at + vec2(5.0, 17.0)));
 }
 
+// Pixel (col, row) of the block; both are literals, so that all that hangs on them is decided by the compiler.
+#define ADD_PIXEL(col, row)                                                                             \
+  {                                                                                                     \
+    ivec2 pixel = clamp(origin + ivec2(col, row), ivec2(0), picture_last);                              \
+    vec2 source_chroma = chroma_at(chroma, col);                                                        \
+    Pixel p = composite_pixel(origin, ivec2(col, row), pixel, vec3(luma_code(pixel), source_chroma));                      \
+    if (col >= 0 && row == 0) upper[col >= 0 ? col : 0] = rounded_code(p.code.x, vec2(pixel));          \
+    if (col >= 0 && row == 1) lower[col >= 0 ? col : 0] = rounded_code(p.code.x, vec2(pixel));          \
+    add_to(left, weight_y * downsampling_weight(col, SITING_X), p, source_chroma);                      \
+    if (BLOCK_W > 2) add_to(right, weight_y * downsampling_weight(col - 2, SITING_X), p, source_chroma); \
+  }
+
+#if SITING_X == 0
+#define ADD_HALO(row) ADD_PIXEL(-1, row)
+#else
+#define ADD_HALO(row)
+#endif
+#if BIT_DEPTH > 8
+#define ADD_PIXELS(row) ADD_HALO(row) ADD_PIXEL(0, row) ADD_PIXEL(1, row)
+#else
+#define ADD_PIXELS(row) ADD_HALO(row) ADD_PIXEL(0, row) ADD_PIXEL(1, row) ADD_PIXEL(2, row) ADD_PIXEL(3, row)
+#endif
+#define ADD_ROW(row)                                                            \
+  {                                                                             \
+    ChromaRow chroma = chroma_row(n, row);                                      \
+    float weight_y = BLOCK_H == 1 ? 1.0 : downsampling_weight(row, SITING_Y);   \
+    ADD_PIXELS(row)                                                             \
+  }
+
 void main() {
   ivec2 origin = ivec2(gl_FragCoord.xy) * ivec2(BLOCK_W, BLOCK_H);
   ivec2 n = ivec2(origin.x / 2, origin.y / BLOCK_H);
@@ -190,20 +230,13 @@ void main() {
   vec4 lower = vec4(0.0);
   ChromaSum left = ChromaSum(vec2(0.0), 0.0);
   ChromaSum right = ChromaSum(vec2(0.0), 0.0);
-  for (int y = -HALO_Y; y < BLOCK_H; ++y) {
-    ChromaRow chroma = chroma_row(n, y);
-    float weight_y = BLOCK_H == 1 ? 1.0 : downsampling_weight(y, SITING_Y);
-    for (int x = -HALO_X; x < BLOCK_W; ++x) {
-      ivec2 pixel = clamp(origin + ivec2(x, y), ivec2(0), picture_last);
-      vec2 source_chroma = chroma_at(chroma, x);
-      Pixel p = composite_pixel(pixel, vec3(luma_code(pixel), source_chroma));
-      vec4 luma = only(x) * rounded_code(p.code.x, vec2(pixel));
-      if (y == 0) upper += luma;
-      if (y == 1) lower += luma;
-      add_to(left, weight_y * downsampling_weight(x, SITING_X), p, source_chroma);
-      add_to(right, weight_y * downsampling_weight(x - 2, SITING_X), p, source_chroma);
-    }
-  }
+#if HALO_Y == 1
+  ADD_ROW(-1)
+#endif
+  ADD_ROW(0)
+#if BLOCK_H == 2
+  ADD_ROW(1)
+#endif
   vec2 at_left = finish(left, n, vec2(n));
   vec2 at_right = finish(right, n + ivec2(1, 0), vec2(n) + vec2(1.0, 0.0));
   target0 = packed_texel(upper);

@@ -5,6 +5,7 @@
 // variant: OBJECTS
 // variant: SHAFTS
 // variant: OBJECTS SHAFTS
+// variant: OBJECTS SHAFTS SHAFTS_HALF
 // variant: OBJECTS SHAFTS LENS
 precision highp float;
 precision highp int;
@@ -18,6 +19,6 @@ layout(location = 0) out vec4 luminance_rgb;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  Layers layers = layers_at(pixel);
+  Layers layers = layers_at(pixel, pixel, ivec2(0), pixel & 1);
   luminance_rgb = vec4(texelFetch(background, pixel, 0).rgb * layers.keep + layers.add / exposure, 1.0);
 }
