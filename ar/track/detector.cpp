@@ -82,6 +82,10 @@ bool is_finite(const Detection& d) {
                      [](const cv::Point2d& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
 }
 
+cv::Rect grown(const cv::Rect& box, int by) {
+  return {box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by};
+}
+
 // One tag found in two overlapping regions counts once: centres closer than half the shortest edge.
 bool same_tag(const Detection& a, const Detection& b) {
   if (a.id != b.id || a.family != b.family) return false;
@@ -110,6 +114,8 @@ struct Detector::Impl {
 
   cv::Mat luma8(const Frame& frame);
   void detect_in(const cv::Mat& grey8, const cv::Rect& region, std::vector<Detection>& found);
+  std::vector<Detection> run(const cv::Mat& view, const cv::Point& origin);
+  void refine_at_border(const cv::Mat& grey8, Detection& detection);
 };
 
 Detector::Detector(const DetectorOptions& options) : impl_(std::make_unique<Impl>()) {
@@ -162,13 +168,11 @@ cv::Mat Detector::Impl::luma8(const Frame& frame) {
   return grey;
 }
 
-void Detector::Impl::detect_in(const cv::Mat& grey8, const cv::Rect& region, std::vector<Detection>& found) {
-  cv::Mat view = grey8(region);
-  // The library blurs in place when it does not decimate.
-  if (options.quad_sigma > 0.0 && options.quad_decimate <= 1.0) view = view.clone();
-  // It also counts on some tiles of 4 x 4 px: no tag could be found in less anyway.
+std::vector<Detection> Detector::Impl::run(const cv::Mat& view, const cv::Point& origin) {
+  std::vector<Detection> found;
+  // The library counts on some tiles of 4 x 4 px: no tag could be found in less anyway.
   const int smallest = static_cast<int>(16.0 * options.quad_decimate);
-  if (view.cols < smallest || view.rows < smallest) return;
+  if (view.cols < smallest || view.rows < smallest) return found;
   image_u8_t image{view.cols, view.rows, static_cast<int32_t>(view.step[0]), view.data};
   const std::unique_ptr<zarray_t, void (*)(zarray_t*)> list(apriltag_detector_detect(detector.get(), &image),
                                                             apriltag_detections_destroy);
@@ -176,9 +180,42 @@ void Detector::Impl::detect_in(const cv::Mat& grey8, const cv::Rect& region, std
     apriltag_detection_t* raw = nullptr;
     zarray_get(list.get(), i, static_cast<void*>(&raw));
     if (raw->hamming > options.max_hamming || static_cast<double>(raw->decision_margin) < options.min_margin) continue;
-    const Detection d = converted(*raw, region.tl());
+    const Detection d = converted(*raw, origin);
+    if (is_finite(d)) found.push_back(d);
+  }
+  return found;
+}
+
+// The library looks for an edge some pixels to both sides, more of them the more it decimates. Where the picture ends
+// before, it looks to one side only and puts the edge up to a pixel off. So once more without decimation, and with the
+// picture's last rows and columns repeated outwards; not so where the tag itself is cut off, because its edges would be
+// bent where they leave the picture.
+void Detector::Impl::refine_at_border(const cv::Mat& grey8, Detection& detection) {
+  const std::vector<cv::Point2f> corners(detection.corners_px.begin(), detection.corners_px.end());
+  const cv::Rect box = cv::boundingRect(corners);
+  const cv::Rect picture(0, 0, grey8.cols, grey8.rows);
+  const int reach = static_cast<int>(options.quad_decimate) + 3;
+  if (!options.refine_edges || (grown(box, reach) & picture) == grown(box, reach)) return;
+  const int padding = (box & picture) == box ? 16 : 0;
+  const cv::Rect crop = grown(box, 24 + std::max(box.width, box.height) / 4) & picture;
+  cv::Mat padded;
+  cv::copyMakeBorder(grey8(crop), padded, padding, padding, padding, padding,
+                     cv::BORDER_REPLICATE | cv::BORDER_ISOLATED);
+  detector->quad_decimate = 1.0F;
+  for (const Detection& again : run(padded, crop.tl() - cv::Point(padding, padding))) {
+    if (same_tag(again, detection)) detection = again;
+  }
+  detector->quad_decimate = static_cast<float>(options.quad_decimate);
+}
+
+void Detector::Impl::detect_in(const cv::Mat& grey8, const cv::Rect& region, std::vector<Detection>& found) {
+  cv::Mat view = grey8(region);
+  // The library blurs in place when it does not decimate.
+  if (options.quad_sigma > 0.0 && options.quad_decimate <= 1.0) view = view.clone();
+  for (Detection& d : run(view, region.tl())) {
+    refine_at_border(grey8, d);
     const bool known = std::any_of(found.begin(), found.end(), [&](const Detection& f) { return same_tag(f, d); });
-    if (is_finite(d) && !known) found.push_back(d);
+    if (!known) found.push_back(d);
   }
 }
 

@@ -22,8 +22,13 @@ double pixel_sigma(const cv::Matx23d& pixel_by_point, const Rigid3& camera_from_
   return std::sqrt(std::max(0.0, cv::trace(jacobian * covariance * jacobian.t())));
 }
 
-std::optional<cv::Rect> region_of(const Lens& lens, const cv::Size& picture, const MappedTag& tag,
-                                  const Rigid3& world_from_camera, const cv::Matx66d& covariance) {
+struct Expected {
+  cv::Rect box;
+  double side_px = 0.0;
+};
+
+std::optional<Expected> expected_tag(const Lens& lens, const cv::Size& picture, const MappedTag& tag,
+                                     const Rigid3& world_from_camera, const cv::Matx66d& covariance) {
   const Rigid3 camera_from_world = world_from_camera.inverse();
   double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9, sigma = 0.0;
   for (const cv::Vec3d& corner : corners_in_tag(tag.size_m)) {
@@ -43,11 +48,13 @@ std::optional<cv::Rect> region_of(const Lens& lens, const cv::Size& picture, con
   if (!(side >= kSmallestSide)) return std::nullopt;
   // The white border and the library's need of some surroundings, then what the prediction may be off by.
   const double margin = std::min(16.0 + 0.4 * side + 3.0 * sigma, 4.0 * (picture.width + picture.height));
-  const auto down8 = [](double v) { return 8 * static_cast<int>(std::floor(std::clamp(v, -1e6, 1e6) / 8.0)); };
-  const cv::Point low(down8(left - margin), down8(top - margin));
-  const cv::Point high(down8(right + margin) + 8, down8(bottom + margin) + 8);
-  const cv::Rect region = cv::Rect(low, high) & cv::Rect({0, 0}, picture);
-  return region.empty() ? std::nullopt : std::optional(region);
+  constexpr int kGrid = 24;
+  const auto down = [](double v) { return kGrid * static_cast<int>(std::floor(std::clamp(v, -1e6, 1e6) / kGrid)); };
+  const cv::Point low(down(left - margin), down(top - margin));
+  const cv::Point high(down(right + margin) + kGrid, down(bottom + margin) + kGrid);
+  const cv::Rect box = cv::Rect(low, high) & cv::Rect({0, 0}, picture);
+  if (box.empty()) return std::nullopt;
+  return Expected{box, side};
 }
 
 void add_merged(std::vector<cv::Rect>& regions, cv::Rect region) {
@@ -65,17 +72,20 @@ void add_merged(std::vector<cv::Rect>& regions, cv::Rect region) {
 
 }  // namespace
 
-std::vector<cv::Rect> search_regions(const Lens& lens, const cv::Size& picture, const TagMap& map,
-                                     const Rigid3& world_from_camera, const cv::Matx66d& covariance) {
-  std::vector<cv::Rect> regions;
+SearchRegions search_regions(const Lens& lens, const cv::Size& picture, const TagMap& map,
+                             const Rigid3& world_from_camera, const cv::Matx66d& covariance) {
+  SearchRegions regions;
+  regions.smallest_side_px = std::max(picture.width, picture.height);
   for (const auto& [id, tag] : map.tags) {
-    const auto region = region_of(lens, picture, tag, world_from_camera, covariance);
-    if (region) add_merged(regions, *region);
+    const auto expected = expected_tag(lens, picture, tag, world_from_camera, covariance);
+    if (!expected) continue;
+    add_merged(regions.boxes, expected->box);
+    regions.smallest_side_px = std::min(regions.smallest_side_px, expected->side_px);
   }
   double area = 0.0;
-  for (const cv::Rect& r : regions) area += r.area();
+  for (const cv::Rect& box : regions.boxes) area += box.area();
   constexpr double kWorthwhile = 0.7;
-  if (area > kWorthwhile * picture.area()) regions.clear();
+  if (area > kWorthwhile * picture.area()) regions.boxes.clear();
   return regions;
 }
 

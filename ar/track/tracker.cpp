@@ -154,18 +154,24 @@ void Tracker::Impl::advance(double time_s) {
   }
 }
 
+// Decimation costs no accuracy, because edges are refined in the full picture, but small tags are not found: 30 px a
+// side must remain of them.
 std::vector<SeenTag> Tracker::Impl::search(const Frame& frame) {
+  const double asked = options.detector.quad_decimate;
   ++since_full_search;
-  if (following && since_full_search < options.full_search_every) {
+  if (following) {
     const cv::Size picture(frame.format.width, frame.format.height);
-    const auto regions = search_regions(lens, picture, map, filter.world_from_camera(), filter.pose_covariance());
-    if (!regions.empty()) {
-      detections = detector.detect(frame, regions);
-      std::vector<SeenTag> tags = seen_tags(lens, map, detections);
-      if (!tags.empty()) return tags;
-    }
+    const SearchRegions regions =
+        search_regions(lens, picture, map, filter.world_from_camera(), filter.pose_covariance());
+    const bool whole = regions.boxes.empty() || since_full_search >= options.full_search_every;
+    detector.set_decimate(std::max(asked, std::floor(std::clamp(regions.smallest_side_px / 30.0, 1.0, 3.0))));
+    detections = whole ? detector.detect(frame) : detector.detect(frame, regions.boxes);
+    if (whole) since_full_search = 0;
+    std::vector<SeenTag> tags = seen_tags(lens, map, detections);
+    if (!tags.empty()) return tags;
   }
   since_full_search = 0;
+  detector.set_decimate(asked);
   detections = detector.detect(frame);
   return seen_tags(lens, map, detections);
 }

@@ -24,6 +24,8 @@ struct Track {
 };
 
 struct TrackerOptions {
+  // quad_decimate is what tags are sought with while no pose is known; then as much more, up to 3, as their expected
+  // size allows.
   DetectorOptions detector;
   bool smooth = true;
   double predict_for_s = 0.25;  // how long a pose is carried on without a tag before the state is Lost

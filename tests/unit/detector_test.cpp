@@ -83,6 +83,27 @@ TEST(Detector, RegionsGiveTheCornersOfTheWholePicture) {
   }
 }
 
+// The library alone looks for edges beyond the picture there and is off by up to 1.4 px.
+TEST(Detector, TagsAtThePicturesEdgeKeepTheirAccuracy) {
+  const CameraModel camera = camera_from_horizontal_fov(480, 360, 0.8);
+  for (double decimate : {1.0, 2.0, 3.0}) {
+    DetectorOptions options;
+    options.quad_decimate = decimate;
+    Detector detector(options);
+    for (double y : {-0.232, -0.228, -0.224, -0.22, -0.21}) {
+      const TagPicture tag{"tag36h11", 5, 0.16, facing_tag({0.0, y, 1.2}, 0.4, -0.3, 0.2)};
+      const auto truth = true_corners_px(camera, tag);
+      const auto found = detector.detect(draw_tags(camera, {tag}, 1.0));
+      const bool inside = std::all_of(truth.begin(), truth.end(), [](const cv::Point2d& c) { return c.y >= 0.0; });
+      if (inside) {
+        ASSERT_EQ(found.size(), 1u) << y;
+      }
+      // 0.1 px is the noise; a tag that is cut off has less to go by, but nothing worse than a pixel comes out.
+      for (const Detection& d : found) EXPECT_LT(worst_corner_px(d, truth), inside ? 0.2 : 1.0) << decimate << ' ' << y;
+    }
+  }
+}
+
 TEST(Detector, PicturesTooSmallForATagAreEmpty) {
   DetectorOptions options;
   options.quad_decimate = 2.0;
