@@ -126,7 +126,8 @@ void Document::check_extensions() const {
     }
     std::string accepted;
     for (const std::string_view supported : kSupportedExtensions) {
-      accepted += (accepted.empty() ? "" : ", ") + std::string(supported);
+      if (!accepted.empty()) accepted += ", ";
+      accepted += supported;
     }
     throw std::runtime_error("it requires the extension " + text + ", which is not supported; supported are " +
                              accepted + "\nExport the model again without that extension.");
