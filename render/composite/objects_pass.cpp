@@ -14,12 +14,11 @@ namespace {
 constexpr int kVirtualMapUnit = 8;  // and 9
 constexpr int kRealMapUnit = 10;    // and 11
 
-// What the picture is drawn into: multisampled, then resolved.
+// What the picture is drawn into: virtual things multisampled, then resolved; real ones as they come.
 struct Targets {
   int width = 0;
   int height = 0;
   gl::Renderbuffer drawn_added;
-  gl::Renderbuffer drawn_multiplier;
   gl::Renderbuffer drawn_depth;
   gl::Framebuffer drawn;
   gl::Texture added;
@@ -27,6 +26,7 @@ struct Targets {
   gl::Texture depth;
   gl::Framebuffer added_only;
   gl::Framebuffer multiplier_only;
+  gl::Framebuffer real;  // multiplier and depth
   gl::Framebuffer depth_only;
 
   Targets() = default;
@@ -34,21 +34,26 @@ struct Targets {
       : width(w),
         height(h),
         drawn_added(GL_RGBA16F, w, h, samples),
-        drawn_multiplier(GL_RGB10_A2, w, h, samples),
         drawn_depth(GL_DEPTH_COMPONENT32F, w, h, samples),
-        drawn({&drawn_added, &drawn_multiplier}, &drawn_depth, "objects"),
+        drawn({&drawn_added}, &drawn_depth, "objects"),
         added(GL_RGBA16F, w, h, gl::Filter::Linear, 1, "objects added"),
         multiplier(GL_RGB10_A2, w, h, gl::Filter::Linear, 1, "objects multiplier"),
         depth(GL_DEPTH_COMPONENT32F, w, h, gl::Filter::Nearest, 1, "objects depth"),
         added_only({&added}, nullptr, "objects added"),
         multiplier_only({&multiplier}, nullptr, "objects multiplier"),
+        real({&multiplier}, &depth, "shadow on real things"),
         depth_only({}, &depth, "objects depth") {}
 };
 
-void clear_color(const gl::Framebuffer& framebuffer, float value) {
+void clear_color(const gl::Framebuffer& framebuffer, float rgb) {
   framebuffer.bind();
-  glClearColor(value, value, value, 1.0F);
+  glClearColor(rgb, rgb, rgb, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void scissor(const PixelRect& rect) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(rect.x, rect.y, rect.width, rect.height);
 }
 
 // One mesh of one instance.
@@ -71,9 +76,12 @@ struct ObjectsPass::Impl {
   int samples;
   Targets targets;
   PixelRect dirty;  // what the last frame left in the resolved textures
+  PixelRect covered;
   ObjectsPicture picture;
   SurfacePrograms programs;
   gl::Program depth_program{"scene/surface.vert", "scene/depth.frag"};
+  gl::Program uncovered_program{"lib/full_screen.vert", "scene/uncovered.frag"};
+  gl::VertexArray no_vertices;
 
   // The frame being drawn.
   const View* view = nullptr;
@@ -98,8 +106,7 @@ struct ObjectsPass::Impl {
   // Puts M = 1 and A = 0 back where the last frame drew.
   void wipe() {
     if (dirty.empty()) return;
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(dirty.x, dirty.y, dirty.width, dirty.height);
+    scissor(dirty);
     clear_color(targets.added_only, 0.0F);
     clear_color(targets.multiplier_only, 1.0F);
     dirty = {};
@@ -126,12 +133,35 @@ struct ObjectsPass::Impl {
     }
   }
 
+  // Onto the real depth that is there already.
   void draw_real_shadow(const std::vector<Draw>& real) {
+    targets.real.bind();
+    scissor(picture.touched);
+    glDepthMask(GL_FALSE);
     const gl::Program& program = programs.real_shadow(casts);
     program.use();
     set_light(program);
     for (const Draw& draw : real) {
       set_transforms(program, *draw.instance);
+      draw.model->draw(*draw.mesh);
+    }
+    glDepthMask(GL_TRUE);
+  }
+
+  static void set_culling(const Draw& draw) {
+    (draw.material().double_sided ? glDisable : glEnable)(GL_CULL_FACE);
+    // The picture's y points down in the framebuffer, which turns every triangle round.
+    const bool mirrored = glm::determinant(glm::dmat3(draw.instance->world_from_model)) < 0.0;
+    glFrontFace(mirrored ? GL_CCW : GL_CW);
+  }
+
+  // So that what is hidden is not shaded. Not for cut-out things: their depth depends on their alpha.
+  void draw_opaque_depth(const std::vector<Draw>& opaque) const {
+    depth_program.use();
+    for (const Draw& draw : opaque) {
+      if (draw.material().alpha_mode != AlphaMode::Opaque) continue;
+      set_culling(draw);
+      set_transforms(depth_program, *draw.instance);
       draw.model->draw(*draw.mesh);
     }
   }
@@ -144,55 +174,57 @@ struct ObjectsPass::Impl {
     set_light(program);
     SurfacePrograms::set_material(program, material, textures);
     set_transforms(program, *draw.instance);
-    (material.double_sided ? glDisable : glEnable)(GL_CULL_FACE);
-    // The picture's y points down in the framebuffer, which turns every triangle round.
-    const bool mirrored = glm::determinant(glm::dmat3(draw.instance->world_from_model)) < 0.0;
-    glFrontFace(mirrored ? GL_CCW : GL_CW);
-    const bool soften = material.alpha_mode == AlphaMode::Mask && samples > 0;
-    (soften ? glEnable : glDisable)(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    set_culling(draw);
+    const bool mask = material.alpha_mode == AlphaMode::Mask;
+    (mask && samples > 0 ? glEnable : glDisable)(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    // The target's alpha is what stays uncovered: nothing of it where a mask's alpha made a sample covered.
+    (mask || material.alpha_mode == AlphaMode::Blend ? glEnable : glDisable)(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, mask ? GL_ZERO : GL_ONE_MINUS_SRC_ALPHA, GL_ZERO,
+                        mask ? GL_ZERO : GL_ONE_MINUS_SRC_ALPHA);
     draw.model->draw(*draw.mesh);
   }
 
   void draw_multisampled(const std::vector<Draw>& real, const std::vector<Draw>& opaque,
                          const std::vector<Draw>& blended) {
-    const PixelRect& rect = picture.touched;
     targets.drawn.bind();
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(rect.x, rect.y, rect.width, rect.height);
-    constexpr GLfloat kZero[4]{0, 0, 0, 0};
-    constexpr GLfloat kOne[4]{1, 1, 1, 1};
-    glClearBufferfv(GL_COLOR, 0, kZero);
-    glClearBufferfv(GL_COLOR, 1, kOne);
-    glClearBufferfv(GL_DEPTH, 0, kOne);
-
+    scissor(covered);
+    constexpr GLfloat kUncovered[4]{0, 0, 0, 1};
+    constexpr GLfloat kFar = 1.0F;
+    glClearBufferfv(GL_COLOR, 0, kUncovered);
+    glClearBufferfv(GL_DEPTH, 0, &kFar);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     draw_real_depth(real);
+    draw_opaque_depth(opaque);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     for (const Draw& draw : opaque) draw_object(draw);
+    glDepthMask(GL_FALSE);
+    for (const Draw& draw : blended) draw_object(draw);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-    glDepthMask(GL_FALSE);
-    if (casts.virtual_casters && !real.empty()) draw_real_shadow(real);
-    if (!blended.empty()) {
-      glEnable(GL_BLEND);
-      glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-      for (const Draw& draw : blended) draw_object(draw);
-      glDisable(GL_BLEND);
-    }
-    glDepthMask(GL_TRUE);
-    SunShadow::unbind(kVirtualMapUnit);
-    SunShadow::unbind(kRealMapUnit);
   }
 
   void resolve() {
-    const PixelRect& r = picture.touched;
+    const PixelRect& r = covered;
     gl::blit_color(targets.drawn, 0, targets.added_only, r.x, r.y, r.width, r.height);
-    gl::blit_color(targets.drawn, 1, targets.multiplier_only, r.x, r.y, r.width, r.height);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, targets.drawn.id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets.depth_only.id());
     glBlitFramebuffer(r.x, r.y, r.x + r.width, r.y + r.height, r.x, r.y, r.x + r.width, r.y + r.height,
                       GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-    dirty = r;
+  }
+
+  void cover_multiplier() {
+    targets.multiplier_only.bind();
+    scissor(covered);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    uncovered_program.use();
+    uncovered_program.set("added", 0);
+    targets.added.bind(0);
+    gl::draw_full_screen(no_vertices);
+    glDisable(GL_BLEND);
   }
 
   void draw(const SceneState& scene, GpuModels& models) {
@@ -222,10 +254,15 @@ struct ObjectsPass::Impl {
     glClearDepthf(1.0F);
     glClear(GL_DEPTH_BUFFER_BIT);
     draw_real_depth(real);
-    if (!picture.touched.empty()) {
+    dirty = picture.touched;
+    if (casts.virtual_casters && !picture.touched.empty()) draw_real_shadow(real);
+    if (!covered.empty()) {
       draw_multisampled(real, opaque, blended);
       resolve();
+      cover_multiplier();
     }
+    SunShadow::unbind(kVirtualMapUnit);
+    SunShadow::unbind(kRealMapUnit);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
@@ -245,6 +282,7 @@ const ObjectsPicture& ObjectsPass::draw(const SceneState& scene, const View& vie
   impl_->casts = {.virtual_casters = sun && !shadow.map(Casters::Virtual).fit.empty,
                   .real_casters = sun && !shadow.map(Casters::Real).fit.empty};
   impl_->make_targets();
+  impl_->covered = covered_rect(scene, view);
   impl_->picture.touched = touched_rect(scene, view);
   impl_->draw(scene, models);
   return impl_->picture;

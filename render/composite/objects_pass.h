@@ -24,7 +24,7 @@ struct PixelRect {
 // The objects pass's ideal pinhole picture: real * M + A, linear and pre-exposed. Row 0 of the textures is the
 // picture's top row. Owned by the pass; valid until its next draw.
 struct ObjectsPicture {
-  GLuint added = 0;       // A: RGBA16F, rgb
+  GLuint added = 0;       // RGBA16F: rgb is A; a is the part of the pixel that virtual things leave uncovered
   GLuint multiplier = 0;  // M: RGB10_A2, rgb in [0, 1]
   GLuint depth = 0;       // DEPTH_COMPONENT32F, window depth as View says; 1 where nothing is. Whole picture.
   int width = 0;
@@ -32,7 +32,7 @@ struct ObjectsPicture {
   PixelRect touched;  // outside it M = 1 and A = 0 (the textures hold these values there)
 };
 
-// Draws real surfaces (depth, then the shadow on them) and virtual objects into one multisampled picture.
+// Draws real surfaces (depth, and the shadow on them, once a pixel) and virtual objects (multisampled).
 class ObjectsPass {
  public:
   explicit ObjectsPass(int samples = 4);  // 1: no anti-aliasing

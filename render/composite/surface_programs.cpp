@@ -48,7 +48,7 @@ const gl::Program& SurfacePrograms::object(const Material& material, const GpuMo
   if (found == object_.end()) {
     found =
         object_
-            .emplace(features, gl::Program("scene/surface.vert", "scene/object.frag", defines_of(features, "8", "16")))
+            .emplace(features, gl::Program("scene/surface.vert", "scene/object.frag", defines_of(features, "4", "8")))
             .first;
   }
   return found->second;
@@ -58,7 +58,7 @@ const gl::Program& SurfacePrograms::real_shadow(Casts casts) {
   const unsigned features = bit(casts.virtual_casters, 0) | bit(casts.real_casters, 1);
   auto found = real_shadow_.find(features);
   if (found == real_shadow_.end()) {
-    gl::Defines defines = defines_of(features, "16", "32");
+    gl::Defines defines = defines_of(features, "8", "16");
     defines.erase(defines.begin());  // not SHADED: needs no texture coordinates
     found = real_shadow_.emplace(features, gl::Program("scene/surface.vert", "scene/real_shadow.frag", defines)).first;
   }

@@ -70,15 +70,13 @@ void add_hull(Extent& extent, const std::vector<glm::dvec3>& points_in_world, co
   }
 }
 
-}  // namespace
-
-PixelRect touched_rect(const SceneState& scene, const View& view) {
+PixelRect rect_of(const SceneState& scene, const View& view, bool with_shadows) {
   const double lowest_m = lowest_real_m(scene);
   Extent extent;
   for (const Instance& instance : scene.instances) {
     if (instance.real) continue;
     std::vector<glm::dvec3> corners = corners_in_world(instance);
-    sweep_along_light(corners, scene, lowest_m);
+    if (with_shadows) sweep_along_light(corners, scene, lowest_m);
     add_hull(extent, corners, view);
   }
   const glm::dvec2 size(view.width, view.height);
@@ -87,6 +85,16 @@ PixelRect touched_rect(const SceneState& scene, const View& view) {
   if (!(low.x < high.x && low.y < high.y)) return {};
   return {static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(high.x - low.x),
           static_cast<int>(high.y - low.y)};
+}
+
+}  // namespace
+
+PixelRect covered_rect(const SceneState& scene, const View& view) {
+  return rect_of(scene, view, false);
+}
+
+PixelRect touched_rect(const SceneState& scene, const View& view) {
+  return rect_of(scene, view, true);
 }
 
 }  // namespace render

@@ -36,12 +36,11 @@ void March::make_targets(const glm::ivec2& size_px) {
   }
 }
 
-void March::blur(const gl::Texture& from, const gl::Framebuffer& to, const glm::ivec2& axis) {
-  to.bind();
+void March::average_rows() {
+  lit_target_[1].bind();
   blur_.use();
   blur_.set("lit_and_distance", 0);
-  blur_.set("axis", axis);
-  from.bind(0);
+  lit_[0].bind(0);
   gl::draw_full_screen(no_vertices_);
 }
 
@@ -61,9 +60,8 @@ const ShaftPicture& March::draw(const ShaftInputs& inputs) {
   gl::draw_full_screen(no_vertices_);
   SunShadow::unbind(kVirtualMapUnit);
   SunShadow::unbind(kRealMapUnit);
-  blur(lit_[0], lit_target_[1], {1, 0});
-  blur(lit_[1], lit_target_[0], {0, 1});
-  return shade_.draw(inputs, size_px, &lit_[0]);
+  average_rows();
+  return shade_.draw(inputs, size_px, &lit_[1]);
 }
 
 }  // namespace render

@@ -18,7 +18,7 @@ class March : public ShaftTechnique {
  private:
   const gl::Program& program(const ShaftInputs& inputs);
   void make_targets(const glm::ivec2& size_px);
-  void blur(const gl::Texture& from, const gl::Framebuffer& to, const glm::ivec2& axis);
+  void average_rows();  // from lit_[0] to lit_[1]
 
   int steps_;
   int divisor_;

@@ -20,7 +20,8 @@ void set_ray(const gl::Program& program, const ShaftInputs& inputs, const glm::i
 // multiplied by what a technique found to be lit.
 class ShadePass {
  public:
-  // `lit_and_distance`: RG32F of that size: lit part of the sunlight, distance along the axis. Null: all lit.
+  // `lit_and_distance`: RG32F of that size: lit part of the sunlight, averaged along rows, and distance along the
+  // axis. Null: all lit.
   const ShaftPicture& draw(const ShaftInputs& inputs, const glm::ivec2& size_px, const gl::Texture* lit_and_distance);
 
  private:

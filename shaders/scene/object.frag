@@ -1,9 +1,9 @@
 #version 310 es
 // Light that a virtual surface sends to the eye: sun (GGX + Lambert), sky (spherical harmonics), emission. glTF 2.0's
 // metallic-roughness material, appendix B.
-// variant: VIRTUAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
-// variant: VIRTUAL_CASTERS REAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16 BASE_COLOR_TEXTURE METALLIC_ROUGHNESS_TEXTURE NORMAL_TEXTURE OCCLUSION_TEXTURE EMISSIVE_TEXTURE ALPHA_MASK THIN
-// variant: ALPHA_BLEND BASE_COLOR_TEXTURE BLOCKER_TAPS=8 FILTER_TAPS=16
+// variant: VIRTUAL_CASTERS BLOCKER_TAPS=4 FILTER_TAPS=8
+// variant: VIRTUAL_CASTERS REAL_CASTERS BLOCKER_TAPS=4 FILTER_TAPS=8 BASE_COLOR_TEXTURE METALLIC_ROUGHNESS_TEXTURE NORMAL_TEXTURE OCCLUSION_TEXTURE EMISSIVE_TEXTURE ALPHA_MASK THIN
+// variant: ALPHA_BLEND BASE_COLOR_TEXTURE BLOCKER_TAPS=4 FILTER_TAPS=8
 precision highp float;
 
 #include "shadow/sun_map.glsl"
@@ -45,8 +45,7 @@ in vec3 v_position;
 in vec3 v_normal;
 in vec4 v_tangent;
 in vec2 v_uv;
-layout(location = 0) out vec4 added;
-layout(location = 1) out vec4 multiplier;
+layout(location = 0) out vec4 added;  // a: ALPHA_MASK: coverage; ALPHA_BLEND: opacity; else what stays uncovered: 0
 
 // Part of the light on a leaf that comes out at its other side; leaves let a quarter to a third of it through
 // (Woolley 1971, "Reflectance and transmittance of light by leaves").
@@ -82,7 +81,7 @@ void main() {
 #ifdef BASE_COLOR_TEXTURE
   base *= texture(base_color_texture, v_uv);
 #endif
-  float alpha = 1.0;
+  float alpha = 0.0;
 #ifdef ALPHA_MASK
   alpha = mask_coverage(base.a);
   if (alpha <= 0.0) discard;
@@ -152,5 +151,4 @@ void main() {
   light *= alpha;  // premultiplied
 #endif
   added = vec4(min(light, vec3(4096.0)), alpha);
-  multiplier = vec4(0.0, 0.0, 0.0, alpha);
 }

@@ -1,7 +1,7 @@
 #version 310 es
 // What virtual things take away from the light on a real surface (the contract's M).
-// variant: VIRTUAL_CASTERS BLOCKER_TAPS=16 FILTER_TAPS=32
-// variant: VIRTUAL_CASTERS REAL_CASTERS BLOCKER_TAPS=16 FILTER_TAPS=32
+// variant: VIRTUAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
+// variant: VIRTUAL_CASTERS REAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
 
 #include "shadow/sun_map.glsl"
@@ -13,8 +13,7 @@ uniform vec3 sky_irradiance_sh[9];  // pre-exposed, cosine-convolved
 
 in vec3 v_position;
 in vec3 v_normal;
-layout(location = 0) out vec4 added;
-layout(location = 1) out vec4 multiplier;
+layout(location = 0) out vec4 multiplier;
 
 void main() {
   vec3 normal = normalize(v_normal);
@@ -28,6 +27,5 @@ void main() {
     ratio = (sun * seen + sky) / max(sun + sky, vec3(1e-20));
     if (dot(sun, vec3(1.0)) <= 0.0) ratio = vec3(1.0);
   }
-  added = vec4(0.0);
   multiplier = vec4(ratio, 1.0);
 }

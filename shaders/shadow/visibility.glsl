@@ -12,11 +12,10 @@ vec2 receiver_slope(mat3 local_from_map, vec3 normal_in_local) {
   return clamp(-n.xy / facing, vec2(-200.0), vec2(200.0));
 }
 
-// Fixed points spread evenly over the unit disc: Vogel 1979, "A better way to construct the sunflower head".
-vec2 sunflower(int i, int count) {
-  float r = sqrt((float(i) + 0.5) / float(count));
-  float a = 2.399963 * float(i);
-  return r * vec2(cos(a), sin(a));
+// Fixed points spread evenly over the unit disc: Vogel 1979, "A better way to construct the sunflower head". Each turns
+// the last one's direction by the golden angle; software rasterisers have no quick sine.
+vec2 next_direction(vec2 direction) {
+  return mat2(-0.7373689, 0.6754903, -0.6754903, -0.7373689) * direction;
 }
 
 // Percentage-closer soft shadows (Fernando 2005) for a parallel sun with a disc: the penumbra of a blocker that is
@@ -32,27 +31,33 @@ float sun_visibility(highp sampler2DShadow depth_compare, highp sampler2D depth_
   // Texels hold the depth at their centres, up to one texel from the point of a bilinear comparison.
   float bias = (abs(slope.x) + abs(slope.y)) * texel + 0.0005 / metres_per_unit.z;
   float receiver = at_in_map.z - bias;
-  if (receiver <= 0.0) return 1.0;  // on the sun's side of every caster
-
   vec2 search = disc_slope * receiver * metres_per_unit.z / metres_per_unit.xy + texel;
+  // On the sun's side of every caster, or beside them all.
+  bool beside = any(lessThan(at_in_map.xy, -search)) || any(greaterThan(at_in_map.xy, 1.0 + search));
+  if (receiver <= 0.0 || beside) return 1.0;
   float blockers = 0.0;
   float blocker_depth = 0.0;
+  vec2 direction = vec2(1.0, 0.0);
   for (int i = 0; i < BLOCKER_TAPS; ++i) {
-    vec2 offset = sunflower(i, BLOCKER_TAPS) * search;
+    vec2 offset = direction * sqrt((float(i) + 0.5) / float(BLOCKER_TAPS)) * search;
+    direction = next_direction(direction);
     float depth = textureLod(depth_value, at_in_map.xy + offset, 0.0).r;
-    if (depth < receiver + dot(slope, offset)) {
+    if (depth < min(receiver + dot(slope, offset), 1.0)) {  // an empty texel holds 1
       blockers += 1.0;
       blocker_depth += depth;
     }
   }
+  // The search covers more of the map than any penumbra here: with one answer all over it, that is the answer.
   if (blockers < 0.5) return 1.0;
+  if (blockers > float(BLOCKER_TAPS) - 0.5) return 0.0;
 
   float gap_m = max(receiver - blocker_depth / blockers, 0.0) * metres_per_unit.z;
   vec2 radius = max(disc_slope * gap_m / metres_per_unit.xy, vec2(0.75 * texel));
   float lit = 0.0;
   for (int i = 0; i < FILTER_TAPS; ++i) {
-    vec2 offset = sunflower(i, FILTER_TAPS) * radius;
-    float reference = min(receiver + dot(slope, offset), 1.0);  // behind all casters: an empty texel is lit
+    vec2 offset = direction * sqrt((float(i) + 0.5) / float(FILTER_TAPS)) * radius;
+    direction = next_direction(direction);
+    float reference = min(receiver + dot(slope, offset), 1.0);  // behind all casters too, an empty texel is lit
     lit += textureLod(depth_compare, vec3(at_in_map.xy + offset, reference), 0.0);
   }
   return lit / float(FILTER_TAPS);

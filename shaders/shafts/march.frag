@@ -40,8 +40,9 @@ vec2 hull(vec2 a, vec2 b) {
   return vec2(min(a.x, b.x), max(a.y, b.y));
 }
 
-float lit_at(highp sampler2D map, vec3 at) {
-  return textureLod(map, at.xy, 0.0).r < min(at.z, 1.0) ? 0.0 : 1.0;
+// `at` in texels across the map. The stretch lies inside the map, but rounding may step over its edge.
+float lit_at(highp sampler2D map, vec3 at, int last) {
+  return texelFetch(map, clamp(ivec2(at.xy), 0, last), 0).r < min(at.z, 1.0) ? 0.0 : 1.0;
 }
 
 float march(Ray ray, vec2 stretch, float entry, float offset) {
@@ -49,10 +50,16 @@ float march(Ray ray, vec2 stretch, float entry, float offset) {
 #ifdef VIRTUAL_CASTERS
   vec3 virtual_at = (virtual_map_from_local * vec4(ray.direction * (stretch.x + dt * offset), 1.0)).xyz;
   vec3 virtual_step = mat3(virtual_map_from_local) * ray.direction * dt;
+  int virtual_size = textureSize(virtual_depth, 0).x;
+  virtual_at.xy *= float(virtual_size);
+  virtual_step.xy *= float(virtual_size);
 #endif
 #ifdef REAL_CASTERS
   vec3 real_at = (real_map_from_local * vec4(ray.direction * (stretch.x + dt * offset), 1.0)).xyz;
   vec3 real_step = mat3(real_map_from_local) * ray.direction * dt;
+  int real_size = textureSize(real_depth, 0).x;
+  real_at.xy *= float(real_size);
+  real_step.xy *= float(real_size);
 #endif
 #ifdef BOUNDED
   vec3 line_a;
@@ -70,11 +77,11 @@ float march(Ray ray, vec2 stretch, float entry, float offset) {
 #endif
     float seen = 1.0;
 #ifdef VIRTUAL_CASTERS
-    seen *= lit_at(virtual_depth, virtual_at);
+    seen *= lit_at(virtual_depth, virtual_at, virtual_size - 1);
     virtual_at += virtual_step;
 #endif
 #ifdef REAL_CASTERS
-    seen *= lit_at(real_depth, real_at);
+    seen *= lit_at(real_depth, real_at, real_size - 1);
     real_at += real_step;
 #endif
     lit += w * seen;

@@ -27,8 +27,9 @@ float attenuated_fraction(float extinction, float start, float slope, float leng
 float phase(int kind, float g, float cos_theta) {
   const float quarter_inverse_pi = 0.0795774715f;
   if (kind == 2) return quarter_inverse_pi * 0.75f * (1.0f + cos_theta * cos_theta);
-  // 1 + g^2 - 2 g cos, kept from cancelling near g = 1 and cos = 1.
-  float d = (1.0f - g) * (1.0f - g) + 2.0f * g * (1.0f - cos_theta);
+  // 1 + g^2 - 2 g cos, kept from cancelling near |g| = 1 in the lobe's middle; the mirrored g has the mirrored lobe.
+  float a = abs(g);
+  float d = (1.0f - a) * (1.0f - a) + 2.0f * a * (1.0f - (g < 0.0f ? -cos_theta : cos_theta));
   float hg = quarter_inverse_pi * (1.0f - g * g) / (d * sqrt(d));
   return kind == 0 ? hg : hg * 1.5f * (1.0f + cos_theta * cos_theta) / (2.0f + g * g);
 }
@@ -55,9 +56,9 @@ vec2 box_stretch(vec3 origin, vec3 direction, vec3 low, vec3 high) {
 // distance to the face through which the light came.
 void sun_path_lines(vec3 origin, vec3 direction, vec3 low, vec3 high, vec3 sun, OUT(vec3) line_a, OUT(vec3) line_b) {
   for (int i = 0; i < 3; ++i) {
-    float s = abs(sun[i]) < 1e-6f ? 1e-6f : sun[i];
-    line_a[i] = ((s > 0.0f ? high[i] : low[i]) - origin[i]) / s;
-    line_b[i] = -direction[i] / s;
+    bool across = abs(sun[i]) < 1e-5f;  // the light runs along these faces and never comes through them
+    line_a[i] = across ? 1e9f : ((sun[i] > 0.0f ? high[i] : low[i]) - origin[i]) / sun[i];
+    line_b[i] = across ? 0.0f : -direction[i] / sun[i];
   }
 }
 

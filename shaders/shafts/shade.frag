@@ -9,7 +9,8 @@ precision highp float;
 
 #include "shafts/ray.glsl"
 #ifdef MARCHED
-uniform highp sampler2D lit_and_distance;
+#include "shafts/tile_average.glsl"
+uniform highp sampler2D lit_and_distance;  // averaged along rows already
 #else
 #include "shafts/view_depth.glsl"
 #endif
@@ -26,7 +27,7 @@ layout(location = 1) out float distance_along_axis;
 
 void main() {
 #ifdef MARCHED
-  vec2 marched = texelFetch(lit_and_distance, ivec2(gl_FragCoord.xy), 0).rg;
+  vec2 marched = tile_average(lit_and_distance, ivec2(gl_FragCoord.xy), ivec2(0, 1));
   float lit = marched.x;
   float z = marched.y;
 #else
