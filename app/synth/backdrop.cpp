@@ -57,6 +57,7 @@ void Backdrop::bake_sky(const Spec& spec, const Light& light) {
       sky_[static_cast<std::size_t>(y * kSkyWidth + x)] =
           light.sky_luminance(direction_of(2.0F * kPi * static_cast<float>(x) / kSkyWidth, elevation));
   });
+  if (!spec.horizon && spec.clouds <= 0.0) return;  // the coarse sky says it all
   panorama_.resize(static_cast<std::size_t>(kWidth) * kHeight);
   const auto cover = static_cast<float>(spec.clouds);
   const glm::vec3 sun = light.sun_direction();
@@ -202,7 +203,7 @@ glm::vec3 Backdrop::luminance(const glm::vec3& direction) const {
   const float azimuth = std::atan2(direction.x, direction.y);
   const float elevation = std::asin(glm::clamp(direction.z, -1.0F, 1.0F));
   const float y = elevation * kWidth / (2.0F * kPi) + kBelow;
-  if (y >= kHeight - 1) return sky(azimuth, elevation);
+  if (panorama_.empty() || y >= kHeight - 1) return sky(azimuth, elevation);
   const float x = azimuth / (2.0F * kPi) * kWidth - 0.5F + kWidth;
   const float xf = std::floor(x);
   const float yc = std::max(y, 0.0F);

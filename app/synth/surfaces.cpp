@@ -398,14 +398,15 @@ const std::vector<std::string>& box_surfaces() {
 
 GroundTextures bake_ground(const GroundSpec& ground, const glm::vec2& eye, const glm::vec2& focus,
                            const glm::vec3& sun_direction, std::uint32_t seed) {
-  constexpr int kSize = 2048;
-  constexpr int kAroundSize = 1024;
+  const bool even = ground.surface == "plain" && ground.around == "plain";  // nothing to resolve
+  const int size = even ? 16 : 2048;
+  const int around_size = even ? 16 : 1024;
   constexpr float kAroundMetres = 8.0F;
   GroundTextures textures;
   const auto bake = [&](float metres, const glm::vec2& middle) {
     const glm::vec2 origin = middle - 0.5F * metres;
     const auto field = [&](glm::vec2 p) { return ground_relief(ground, origin + p, seed); };
-    return GroundTextures::Part{finish(kSize, metres, fill(kSize, metres, field), sun_direction), origin};
+    return GroundTextures::Part{finish(size, metres, fill(size, metres, field), sun_direction), origin};
   };
   const glm::vec2 ahead = focus == eye ? glm::vec2(0.0F) : glm::normalize(focus - eye);
   textures.parts = {bake(7.168F, eye + 4.6F * ahead), bake(18.432F, focus)};  // 3.5 mm and 9 mm a texel
@@ -413,7 +414,7 @@ GroundTextures bake_ground(const GroundSpec& ground, const glm::vec2& eye, const
   const auto field = [&](glm::vec2 p) {
     return seamless(p, kAroundMetres, [&](glm::vec2 q) { return simple_ground(around, q, seed); });
   };
-  textures.around = finish(kAroundSize, kAroundMetres, fill(kAroundSize, kAroundMetres, field), sun_direction);
+  textures.around = finish(around_size, kAroundMetres, fill(around_size, kAroundMetres, field), sun_direction);
   return textures;
 }
 
