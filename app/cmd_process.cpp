@@ -80,7 +80,7 @@ ar::VideoCodec codec_of(const std::string& name) {
 int run(ProcessArguments arguments, bool quiet) {
   ProcessOptions& options = arguments.options;
   if (!arguments.frames.empty()) options.frames = parse_frame_range(arguments.frames);
-  if (!arguments.shafts.empty()) options.shafts = parse_shafts(arguments.shafts);
+  if (!arguments.shafts.empty()) options.shafts = parse_shafts("--shafts", arguments.shafts);
   options.sink.codec = codec_of(arguments.codec);
   options.quiet = quiet;
   return process(options);

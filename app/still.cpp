@@ -49,7 +49,7 @@ void add_still_options(CLI::App& command, StillArguments& arguments) {
 Still make_still(const StillArguments& arguments) {
   const auto [width, height] = parse_size(arguments.size);
   Still still{.scene = load_scene_file(arguments.scene), .state = {}};
-  if (!arguments.shafts.empty()) still.scene.quality.shafts = parse_shafts(arguments.shafts);
+  if (!arguments.shafts.empty()) still.scene.quality.shafts = parse_shafts("--shafts", arguments.shafts);
   const Conditions conditions = resolve_conditions(arguments.at, arguments.time, still.scene, {});
   log_conditions(conditions);
   SceneStateBuilder builder(still.scene, conditions);

@@ -35,14 +35,20 @@ FinishedFrame FrameRenderer::render(TrackedFrame tracked, double start_s,
   ar::OutputFrame rendered = allocate();
   renderer_.composite(state, plan_, view_of(frame), view_of(rendered));
   if (timed) {
-    for (const render::PassTime& pass : renderer_.pass_times()) pass_ms_[pass.name].push_back(pass.wall_ms);
+    for (const render::PassTime& pass : renderer_.pass_times()) note_pass(pass.name, pass.wall_ms);
   }
   return {std::move(frame), std::move(rendered)};
 }
 
-std::map<std::string, double> FrameRenderer::median_pass_ms() const {
-  std::map<std::string, double> medians;
-  for (const auto& [name, times_ms] : pass_ms_) medians[name] = median(times_ms);
+void FrameRenderer::note_pass(const std::string& name, double wall_ms) {
+  auto found = std::find_if(pass_ms_.begin(), pass_ms_.end(), [&](const auto& pass) { return pass.first == name; });
+  if (found == pass_ms_.end()) found = pass_ms_.insert(pass_ms_.end(), {name, {}});
+  found->second.push_back(wall_ms);
+}
+
+std::vector<std::pair<std::string, double>> FrameRenderer::median_pass_ms() const {
+  std::vector<std::pair<std::string, double>> medians;
+  for (const auto& [name, times_ms] : pass_ms_) medians.emplace_back(name, median(times_ms));
   return medians;
 }
 

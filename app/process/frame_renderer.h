@@ -1,9 +1,9 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/pipeline/pipeline.h"
@@ -32,9 +32,12 @@ class FrameRenderer {
 
   const std::string& renderer_name() const { return context_.renderer_name(); }
   const render::Plan& last_plan() const { return plan_; }
-  std::map<std::string, double> median_pass_ms() const;
+  // In the order in which they run.
+  std::vector<std::pair<std::string, double>> median_pass_ms() const;
 
  private:
+  void note_pass(const std::string& name, double wall_ms);
+
   render::gl::Context context_;
   render::Renderer renderer_;
   render::Camera camera_;
@@ -44,7 +47,7 @@ class FrameRenderer {
   bool timing_ = false;
   render::Plan plan_;
   std::int64_t rendered_ = 0;
-  std::map<std::string, std::vector<double>> pass_ms_;
+  std::vector<std::pair<std::string, std::vector<double>>> pass_ms_;
 };
 
 }  // namespace app

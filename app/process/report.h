@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/pipeline/pipeline.h"
@@ -27,7 +27,7 @@ struct FrameCounts {
 struct RunFacts {
   FrameCounts frames;
   std::vector<StageTime> stages;
-  std::map<std::string, double> median_pass_ms;
+  std::vector<std::pair<std::string, double>> median_pass_ms;
   render::Plan plan;  // of the last frame that was rendered
   double wall_s = 0.0;
   double exposure = 0.0;

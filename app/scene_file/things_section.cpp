@@ -123,9 +123,9 @@ render::Quality read_quality(const YamlValue& value) {
   render::Quality quality;
   if (const auto shafts = map.find("shafts")) {
     try {
-      quality.shafts = parse_shafts(shafts->text("auto or a technique"));
+      quality.shafts = parse_shafts(shafts->where(), shafts->text("auto or a technique"));
     } catch (const UsageError& error) {
-      throw ar::InputError(shafts->where() + ": " + error.what());
+      throw ar::InputError(error.what());
     }
   }
   if (const auto size = map.find("shadow_map_size")) quality.shadow_map_size = size->integer(1, 8192);
