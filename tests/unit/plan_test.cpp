@@ -1,0 +1,158 @@
+// What a scene requires, and what it does not.
+
+#include "render/plan/plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "render/plan/screen_region.h"
+
+namespace {
+
+using render::PassKind;
+using render::Plan;
+using render::SceneState;
+using testing::HasSubstr;
+
+render::Instance box(bool real) {
+  return {"box", std::make_shared<render::Model>(render::make_box({1.0F, 1.0F, 1.0F})), glm::dmat4(1.0), real};
+}
+
+SceneState sunlit_scene() {
+  SceneState scene;
+  scene.camera.width = 640;
+  scene.camera.height = 480;
+  scene.camera.fx = scene.camera.fy = 500.0;
+  scene.camera.cx = 320.0;
+  scene.camera.cy = 240.0;
+  scene.sun.direction_in_world = glm::normalize(glm::dvec3(0.0, -1.0, 1.0));
+  scene.sun.illuminance_rgb = glm::dvec3(90000.0);
+  return scene;
+}
+
+render::Medium haze() {
+  return {.extinction_per_m = 0.1};
+}
+
+std::string omission(const Plan& plan, const std::string& name) {
+  for (const render::Omission& o : plan.omitted) {
+    if (o.name == name) return o.reason;
+  }
+  return "";
+}
+
+TEST(Plan, AnEmptySceneIsPassedThrough) {
+  const Plan plan = render::make_plan(sunlit_scene(), {});
+  EXPECT_TRUE(plan.passes.empty());
+  EXPECT_THAT(omission(plan, "composite"), HasSubstr("no objects and no medium"));
+}
+
+TEST(Plan, NothingIsDrawnWhileThePoseIsUnknown) {
+  SceneState scene = sunlit_scene();
+  scene.instances.push_back(box(false));
+  scene.medium = haze();
+  scene.draw_virtual = false;
+  const Plan plan = render::make_plan(scene, {});
+  EXPECT_TRUE(plan.passes.empty());
+  EXPECT_THAT(omission(plan, "objects"), HasSubstr("pose"));
+}
+
+TEST(Plan, AThingInTheSunNeedsShadowAndObjectsButNoShafts) {
+  SceneState scene = sunlit_scene();
+  scene.instances.push_back(box(false));
+  const Plan plan = render::make_plan(scene, {});
+  EXPECT_TRUE(plan.has(PassKind::SunShadow));
+  EXPECT_TRUE(plan.has(PassKind::Objects));
+  EXPECT_TRUE(plan.has(PassKind::Composite));
+  EXPECT_FALSE(plan.has(PassKind::Shafts));
+  EXPECT_THAT(omission(plan, "shafts"), HasSubstr("no medium"));
+}
+
+TEST(Plan, WithoutTheSunThereIsNoShadowMap) {
+  SceneState scene = sunlit_scene();
+  scene.instances.push_back(box(false));
+  scene.medium = haze();
+  scene.sun.illuminance_rgb = glm::dvec3(0.0);
+  const Plan plan = render::make_plan(scene, {});
+  EXPECT_FALSE(plan.has(PassKind::SunShadow));
+  EXPECT_THAT(omission(plan, "shadow"), HasSubstr("no sunlight"));
+  EXPECT_EQ(plan.shafts.technique, "closed-form");
+}
+
+TEST(Plan, AnOpenMediumIsSolvedInClosedForm) {
+  SceneState scene = sunlit_scene();
+  scene.medium = haze();
+  const Plan plan = render::make_plan(scene, {});
+  EXPECT_TRUE(plan.has(PassKind::Shafts));
+  EXPECT_EQ(plan.shafts.technique, "closed-form");
+  EXPECT_FALSE(plan.has(PassKind::Objects));
+  EXPECT_FALSE(plan.has(PassKind::SunShadow));
+}
+
+TEST(Plan, CastersInAMediumAreMarched) {
+  SceneState scene = sunlit_scene();
+  scene.instances.push_back(box(false));
+  scene.medium = haze();
+  EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "march");
+}
+
+TEST(Plan, AMediumWithoutExtinctionIsNone) {
+  SceneState scene = sunlit_scene();
+  scene.instances.push_back(box(false));
+  scene.medium = render::Medium{};
+  const Plan plan = render::make_plan(scene, {});
+  EXPECT_FALSE(plan.has(PassKind::Shafts));
+  EXPECT_THAT(omission(plan, "shafts"), HasSubstr("extinction is zero"));
+}
+
+TEST(Plan, RealThingsAloneChangeNothing) {
+  SceneState scene = sunlit_scene();
+  scene.instances.push_back(box(true));
+  EXPECT_TRUE(render::make_plan(scene, {}).passes.empty());
+}
+
+TEST(Plan, EveryPassAndOmissionHasAReason) {
+  SceneState scene = sunlit_scene();
+  scene.instances = {box(false), box(true)};
+  for (const bool with_medium : {false, true}) {
+    if (with_medium) scene.medium = haze();
+    const Plan plan = render::make_plan(scene, {});
+    for (const render::Pass& pass : plan.passes) EXPECT_FALSE(pass.reason.empty()) << pass.name;
+    for (const render::Omission& o : plan.omitted) EXPECT_FALSE(o.reason.empty()) << o.name;
+    EXPECT_EQ(plan.passes.size() + plan.omitted.size(), 6U) << "each pass is either there or accounted for";
+  }
+}
+
+render::View level_view() {
+  render::View view;
+  view.width = 640;
+  view.height = 480;
+  view.focal_px = {500.0, 500.0};
+  view.centre_px = {320.0, 240.0};
+  return view;  // looks along the world's z
+}
+
+TEST(MediumRegion, IsTheBoxOnTheScreen) {
+  render::Medium medium = haze();
+  medium.extent = render::Box{{-1.0, -0.5, 10.0}, {1.0, 0.5, 20.0}};
+  const render::PixelRect r = render::medium_region(level_view(), medium);
+  EXPECT_EQ(r.x, 270);  // 320 - 500 / 10
+  EXPECT_EQ(r.width, 100);
+  EXPECT_EQ(r.y, 215);
+  EXPECT_EQ(r.height, 50);
+}
+
+TEST(MediumRegion, IsEverythingWhenTheEyeIsInsideOrThereAreNoBounds) {
+  render::Medium medium = haze();
+  EXPECT_EQ(render::medium_region(level_view(), medium).width, 640);
+  medium.extent = render::Box{{-1.0, -1.0, -5.0}, {1.0, 1.0, 5.0}};
+  EXPECT_EQ(render::medium_region(level_view(), medium).width, 640);
+}
+
+TEST(MediumRegion, IsEmptyBehindTheCamera) {
+  render::Medium medium = haze();
+  medium.extent = render::Box{{-1.0, -1.0, -5.0}, {1.0, 1.0, -2.0}};
+  EXPECT_TRUE(render::medium_region(level_view(), medium).empty());
+}
+
+}  // namespace
