@@ -99,7 +99,8 @@ TEST(Plan, CastersInAMediumAreMarched) {
 TEST(Plan, AMediumWithoutExtinctionIsNone) {
   SceneState scene = sunlit_scene();
   scene.instances.push_back(box(false));
-  scene.medium = render::Medium{};
+  scene.medium = haze();
+  scene.medium->extinction_per_m = 0.0;
   const Plan plan = render::make_plan(scene, {});
   EXPECT_FALSE(plan.has(PassKind::Shafts));
   EXPECT_THAT(omission(plan, "shafts"), HasSubstr("extinction is zero"));
