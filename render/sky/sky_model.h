@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "render/sky/moon.h"
 #include "render/sky/perez.h"
 #include "render/sun/sun.h"
 
@@ -40,6 +42,13 @@ struct SkyCondition {
   double brightness = 0.2;  // delta
 };
 
+// Clouds before the sky.
+struct CloudOptions {
+  std::string preset = "clear";  // clear, light, cloudy, overcast, night
+  double time_s = 0.0;           // since an epoch of the caller's choice: clouds drift and change with it
+  std::uint32_t seed = 1;
+};
+
 // What is asked of a sky; see the scene file's `sky`.
 struct SkyOptions {
   // perez; preetham (as published, 2.3 times too bright), preetham:rescaled; cie:1 ... cie:15; scattering; reference;
@@ -48,11 +57,13 @@ struct SkyOptions {
   double turbidity = 3.0;  // Linke's
   PerezBins bins = PerezBins::Interpolated;
   std::optional<SkyIrradiance> irradiance = std::nullopt;  // perez only
-  std::optional<SkyCondition> condition = std::nullopt;    // perez only; before irradiance
+  CloudOptions clouds = {};
+  std::optional<MoonPosition> moon = std::nullopt;       // lights the night; absent: no moon
+  std::optional<SkyCondition> condition = std::nullopt;  // perez only; before irradiance
 };
 
 // A sky for that sun, from noon to night. Throws std::runtime_error that names an unknown model and lists the known
-// ones, or says what is wrong with a picture.
+// ones, or says what is wrong with a picture. Every sky but `none` gets clouds, and with the sun down moon and airglow.
 std::unique_ptr<SkyModel> make_sky(const SkyOptions& options, const SunPosition& sun);
 
 }  // namespace render

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "render/sky/sky_model.h"
+#include "render/sun/sun.h"
+
+namespace app {
+
+// A sky that was asked for: its sun and its light.
+struct SkyAnswer {
+  render::SunPosition sun;
+  glm::dvec3 sun_illuminance_rgb{0.0};  // lux facing the sun, after the clouds
+  std::unique_ptr<render::SkyModel> sky;
+};
+
+// Where the sun stands: by place and time, or given outright.
+struct SunRequest {
+  std::optional<render::Place> place;
+  std::optional<render::UtcTime> time;
+  std::optional<double> azimuth_rad;    // replaces the computed azimuth
+  std::optional<double> elevation_rad;  // replaces the computed elevation, geometric and apparent
+};
+
+// A direction that was asked for, radians.
+struct ViewRequest {
+  double azimuth_rad = 0.0;
+  double elevation_rad = 0.0;
+};
+glm::dvec3 view_direction(const ViewRequest& view);
+
+// Angle between a unit direction and the sun as it is seen, radians.
+double sun_angle_rad(const SkyAnswer& answer, const glm::dvec3& direction_in_world);
+
+// Throws UsageError where neither place and time nor an elevation is known. The moon is put in when place and time are.
+SkyAnswer answer(const SunRequest& request, render::SkyOptions options);
+
+}  // namespace app
