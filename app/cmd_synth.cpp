@@ -45,7 +45,9 @@ void add_synth_command(CLI::App& app, Program& program) {
   auto arguments = std::make_shared<SynthArguments>();
   command->add_option("SPEC", arguments->spec, "Spec file (YAML); docs/synth.md describes it")->required();
   command->add_option("-o,--output", arguments->output, "Video file, or pictures: 'shot_%04d.png'")->required();
-  command->add_option("--frames", arguments->frames, "Number of frames, instead of the spec's; the path stays as it is")
+  command
+      ->add_option("--frames", arguments->frames,
+                   "Number of frames, instead of the spec's; an orbit then takes that long")
       ->check(CLI::PositiveNumber);
   command->add_flag("--overwrite", arguments->overwrite, "Replace files that exist");
   command->footer(
