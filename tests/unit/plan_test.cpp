@@ -31,7 +31,9 @@ SceneState sunlit_scene() {
 }
 
 render::Medium haze() {
-  return {.extinction_per_m = 0.1};
+  render::Medium medium;
+  medium.extinction_per_m = 0.1;
+  return medium;
 }
 
 std::string omission(const Plan& plan, const std::string& name) {
