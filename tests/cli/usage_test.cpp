@@ -1,0 +1,102 @@
+// What the program says of itself and of wrong usage.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "run_program.h"
+
+namespace cli {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Help : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Help, IsAPageWithAnExampleOnStandardOutput) {
+  const Result result = skyshaft({GetParam(), "--help"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("Example"));
+  EXPECT_THAT(result.out, HasSubstr(std::string("skyshaft ") + GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Commands, Help,
+                         ::testing::Values("process", "render", "explain", "detect", "sun", "synth", "doctor"),
+                         [](const auto& command) { return std::string(command.param); });
+
+TEST(Usage, VersionIsPrinted) {
+  const Result result = skyshaft({"--version"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.out, HasSubstr("skyshaft 0."));
+}
+
+TEST(Usage, NoCommandPrintsHelpWithStatus2) {
+  const Result result = skyshaft({});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("process"));
+  EXPECT_THAT(result.out, testing::IsEmpty());
+}
+
+// Wrong words, missing options, values out of range: 2, never a library's own number.
+TEST(Usage, WrongUsageIsStatus2WithAHint) {
+  const std::vector<std::vector<std::string>> wrong{
+      {"proces"},
+      {"process"},
+      {"process", "in.mp4", "-o", "out.mp4", "--scene", "s.yaml", "--nonsense"},
+      {"process", "in.mp4", "-o", "out.mp4", "--scene", "s.yaml", "--crf", "99"},
+      {"process", "in.mp4", "-o", "out.mp4", "--scene", "s.yaml", "--frames", "9:3"},
+      {"process", "in.mp4", "-o", "out.mp4", "--scene", "s.yaml", "--shafts", "marsh"},
+      {"process", "in.mp4", "-o", "out.mp4", "--scene", "s.yaml", "--fov", "60", "--camera", "c.yaml"},
+      {"render", "--scene", "s.yaml"},
+      {"render", "--scene", "s.yaml", "-o", "out.jpg"},
+  };
+  for (const auto& arguments : wrong) {
+    const Result result = skyshaft(arguments);
+    EXPECT_EQ(result.status, 2) << testing::PrintToString(arguments) << '\n' << result.err;
+    EXPECT_THAT(result.err, testing::StartsWith("skyshaft: ")) << testing::PrintToString(arguments);
+    EXPECT_THAT(result.out, testing::IsEmpty());
+  }
+}
+
+TEST(Usage, PlaceAndTimeOfTheCommandLineAreChecked) {
+  const Folder folder;
+  const std::string scene = folder.write("s.yaml", "skyshaft: 1\n");
+  Result result = skyshaft({"explain", "--scene", scene, "--at", "95,2", "--time", "2024-06-21T07:30:00Z"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("--at"));
+  result = skyshaft({"explain", "--scene", scene, "--at", "45,2", "--time", "2024-06-21T07:30"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("--time"));
+}
+
+TEST(Usage, ExplainNeedsPlaceAndTimeOrASun) {
+  const Folder folder;
+  const Result result = skyshaft({"explain", "--scene", folder.write("s.yaml", "skyshaft: 1\n")});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("place and time"));
+}
+
+TEST(Explain, SaysWhichPassesAndWhyNotTheOthers) {
+  const Folder folder;
+  const std::string scene = folder.write("s.yaml",
+                                         "skyshaft: 1\n"
+                                         "sun: { azimuth_deg: 135, elevation_deg: 32, illuminance_lux: 90000 }\n"
+                                         "medium: { visibility: 30 }\n");
+  const Result result = skyshaft({"explain", "--scene", scene});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("shafts"));
+  EXPECT_THAT(result.out, HasSubstr("closed-form"));
+  EXPECT_THAT(result.out, HasSubstr("left out\n"));
+  EXPECT_THAT(result.out, HasSubstr("shadow     because nothing in the scene casts"));
+}
+
+TEST(Doctor, NamesTheRendererAndTheEncoders) {
+  const Result result = skyshaft({"doctor"});
+  EXPECT_EQ(result.status, 0) << result.out << result.err;
+  EXPECT_THAT(result.out, HasSubstr("OpenGL ES 3."));
+  EXPECT_THAT(result.out, HasSubstr("h264"));
+  EXPECT_THAT(result.out, Not(HasSubstr("MISSING")));
+}
+
+}  // namespace
+}  // namespace cli
