@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 #include "run_program.h"
 
@@ -13,9 +14,16 @@ namespace {
 
 constexpr const char* kFolder = SKYSHAFT_SHARED_DATA "/video_single_tag";
 
-std::string video_times(const std::string& path) {
-  return run({"ffprobe", "-v", "error", "-select_streams", "v:0", "-show_entries", "frame=pts", "-of", "csv=p=0", path})
-      .out;
+// Timestamps of all frames. ffprobe puts commas and empty lines where a frame has side data.
+std::vector<long> video_times(const std::string& path) {
+  const Result probed =
+      run({"ffprobe", "-v", "error", "-select_streams", "v:0", "-show_entries", "frame=pts", "-of", "csv=p=0", path});
+  std::vector<long> times;
+  std::istringstream lines(probed.out);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty()) times.push_back(std::stol(line));
+  }
+  return times;
 }
 
 // Frames of the clip in which the reference detections list the tag: rows of file,frame,family,id,...
