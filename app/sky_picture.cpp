@@ -54,6 +54,21 @@ double median_luminance(const render::LinearImage& picture) {
   return levels[levels.size() / 2];
 }
 
+// Four samples a pixel, so that the edges of clouds do not step.
+glm::dvec3 mean_luminance(const render::SkyModel& sky, const SkyPictureOptions& options, int column, int row) {
+  glm::dvec3 sum(0.0);
+  int count = 0;
+  for (const double y : {0.25, 0.75}) {
+    for (const double x : {0.25, 0.75}) {
+      const auto direction = direction_at(options, column + x, row + y);
+      if (!direction || direction->z < 0.0) continue;
+      sum += sky.luminance_rgb(*direction);
+      ++count;
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : sum;
+}
+
 // As the eye adapts: fully by day, less and less towards the night, which stays dark.
 double fitted_exposure(const render::LinearImage& picture) {
   const double median = median_luminance(picture);
@@ -106,7 +121,7 @@ render::LinearImage sky_picture(const SkyAnswer& answer, const SkyPictureOptions
     for (int column = 0; column < picture.width; ++column) {
       const auto direction = direction_at(options, column + 0.5, row + 0.5);
       if (!direction || direction->z < 0.0) continue;
-      glm::dvec3 rgb = answer.sky->luminance_rgb(*direction);
+      glm::dvec3 rgb = mean_luminance(*answer.sky, options, column, row);
       if (options.sun_disc && glm::dot(*direction, sun) > near_sun) {
         rgb += disc * disc_coverage(options, column, row, sun, radius);
       }

@@ -74,11 +74,12 @@ double mu_at(double position) {
 
 }  // namespace
 
+double Atmosphere::aerosol_depth_at_1um(double turbidity) {
+  return std::max(0.0461 * (std::clamp(turbidity, 1.0, 20.0) - 1.74), 0.0);
+}
+
 Atmosphere::Atmosphere(double turbidity, double ground_albedo) : ground_albedo_(ground_albedo) {
-  const double held = std::clamp(turbidity, 1.0, 20.0);
-  // Linke's turbidity counts water vapour too: 1.74 stands for air without aerosol. The slope is Preetham's; together
-  // they give the diffuse light of clear_sky_irradiance() at the same turbidity.
-  const double beta = std::max(0.0461 * (held - 1.74), 0.0);
+  const double beta = aerosol_depth_at_1um(turbidity);
   for (std::size_t i = 0; i < kBandCount; ++i) {
     const double um = band_um(i);
     const double um2 = um * um;

@@ -15,6 +15,11 @@ class Atmosphere {
   static constexpr double kGroundRadiusM = 6371000.0;
   static constexpr double kTopRadiusM = kGroundRadiusM + 100000.0;
 
+  // Optical depth of the aerosol straight up at 1 um for a Linke turbidity. Linke's counts water vapour too: 1.74
+  // stands for air without aerosol. The slope is Preetham's (1999, A.1); together they give the diffuse light of
+  // clear_sky_irradiance() at the same turbidity.
+  static double aerosol_depth_at_1um(double turbidity);
+
   // Linke turbidity in [1, 20]; it sets the aerosol by Angstrom's formula. The ground returns `ground_albedo` of the
   // light that reaches it; grass and woods return 0.08 of visible light.
   explicit Atmosphere(double turbidity, double ground_albedo = 0.08);

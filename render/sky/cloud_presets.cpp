@@ -10,9 +10,11 @@ CloudLayer cumulus(double coverage, double optical_depth) {
           .size_m = 2600.0,
           .coverage = coverage,
           .optical_depth = optical_depth,
-          .softness = 0.3,
+          .softness = 0.5,
           .speed_mps = 7.0,
-          .heading_rad = 1.2};
+          .heading_rad = 1.2,
+          .octaves = 7,
+          .persistence = 0.55};
 }
 
 CloudLayer cirrus(double coverage, double optical_depth) {

@@ -34,12 +34,15 @@ double depth_at(const CloudLayer& layer, const glm::dvec3& view, double time_s, 
   const double x = (view.x * distance - drift * std::sin(layer.heading_rad)) / layer.size_m;
   const double y = (view.y * distance - drift * std::cos(layer.heading_rad)) / layer.size_m;
   const double finest = distance * kResolutionRad / std::max(view.z, 0.03) / layer.size_m;
-  const double noise =
+  const Octaves noise =
       perlin_octaves(x, y, time_s / layer.change_s, layer.octaves, layer.persistence, std::max(finest, 1e-6), seed);
   // Noise is about normal: its distribution function makes it even over [0, 1], so that coverage is a share of area.
-  const double rank = 1.0 / (1.0 + std::exp(-1.702 * noise));
-  const double inside = (rank - (1.0 - layer.coverage)) / layer.softness;
-  return layer.optical_depth * smooth_step(0.0, 1.0, inside) * (0.6 + 0.4 * rank);
+  const double rank = 1.0 / (1.0 + std::exp(-1.702 * noise.value));
+  // Detail too fine to see leaves its mean: edges widen by its spread.
+  const double width = std::hypot(layer.softness, 1.2 * noise.lost);
+  const double middle = 1.0 - layer.coverage + 0.5 * layer.softness;
+  const double inside = smooth_step(middle - 0.5 * width, middle + 0.5 * width, rank);
+  return layer.optical_depth * inside * (0.4 + 0.6 * rank);
 }
 
 // Share of light that leaves the far side of a cloud in whatever direction (two-stream approximation).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vec2.hpp>
 #include <numbers>
 
 #include "render/sky/cie.h"
@@ -48,13 +49,22 @@ class FormSky final : public SkyModel {
   glm::dvec3 luminance_xyz(const glm::dvec3& direction_in_world) const override {
     const glm::dvec3 view = above_horizon(direction_in_world);
     const Angle gamma = angle_between(view, sun_in_world_);
-    const double x = color_.x * perez_luminance(colors_.x, view.z, gamma.radians, gamma.cosine);
-    const double y = color_.y * perez_luminance(colors_.y, view.z, gamma.radians, gamma.cosine);
     const double level = scale_ * relative(view, gamma);
-    return xyz_from_yxy(level, glm::mix(x, kWhiteX, form_.whiteness), glm::mix(y, kWhiteY, form_.whiteness));
+    const glm::dvec2 xy = chromaticity(view, gamma);
+    return xyz_from_yxy(level, glm::mix(xy.x, kWhiteX, form_.whiteness), glm::mix(xy.y, kWhiteY, form_.whiteness));
   }
 
  private:
+  glm::dvec2 chromaticity(const glm::dvec3& view, const Angle& gamma) const {
+    if (form_.colors) {
+      const glm::dvec3 xyz = form_.colors->luminance_xyz(view);
+      const double sum = xyz.x + xyz.y + xyz.z;
+      return sum > 0.0 ? glm::dvec2(xyz.x / sum, xyz.y / sum) : glm::dvec2(kWhiteX, kWhiteY);
+    }
+    return {color_.x * perez_luminance(colors_.x, view.z, gamma.radians, gamma.cosine),
+            color_.y * perez_luminance(colors_.y, view.z, gamma.radians, gamma.cosine)};
+  }
+
   double relative(const glm::dvec3& view, const Angle& gamma) const {
     const auto formula = form_.indicatrix == Indicatrix::Cie ? cie_luminance : perez_luminance;
     return std::max(formula(form_.shape, view.z, gamma.radians, gamma.cosine), 0.0);

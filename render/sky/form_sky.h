@@ -15,8 +15,9 @@ enum class Indicatrix { Perez, Cie };
 struct SkyForm {
   PerezShape shape;
   Indicatrix indicatrix = Indicatrix::Perez;
-  double color_turbidity = 3.0;  // Preetham's chromaticity for that turbidity, held in [2, 10]
-  double whiteness = 0.0;        // 0: that chromaticity, 1: D65, as under an overcast
+  double color_turbidity = 3.0;            // Preetham's chromaticity for that turbidity, where there is no `colors`
+  std::shared_ptr<const SkyModel> colors;  // whose chromaticity it takes, direction by direction
+  double whiteness = 0.0;                  // 0: that chromaticity, 1: D65, as under an overcast
 };
 
 // A sky of that form scaled to `diffuse_lux` on level ground. The sun's elevation counts from the horizon upwards;

@@ -80,7 +80,7 @@ std::unique_ptr<SkyModel> perez(const SkyOptions& options, const SunPosition& su
   SkyForm form;
   form.shape =
       without_dark_zenith(perez_shape(condition.clearness, condition.brightness, day.zenith_rad, options.bins));
-  form.color_turbidity = std::max(options.turbidity, 2.0);
+  form.colors = make_reference_colors(options.turbidity, day.sun);
   form.whiteness = std::clamp((1.5 - condition.clearness) / 0.5, 0.0, 1.0);  // clearness 1 is a grey sky
   const double level = given ? condition.diffuse_lux * twilight_dimming(sun.elevation_rad)
                              : diffuse_level_lux(condition.diffuse_lux, sun, options.turbidity);
@@ -91,7 +91,7 @@ std::unique_ptr<SkyModel> perez(const SkyOptions& options, const SunPosition& su
 std::unique_ptr<SkyModel> preetham(const SkyOptions& options, const SunPosition& sun, bool rescaled) {
   const Day day = day_of(sun);
   const double turbidity = rescaled ? std::max(options.turbidity, 2.0) : options.turbidity;
-  const SkyForm form{preetham_shapes(turbidity).luminance, Indicatrix::Perez, turbidity, 0.0};
+  const SkyForm form{preetham_shapes(turbidity).luminance, Indicatrix::Perez, turbidity, nullptr, 0.0};
   const double zenith_cdm2 = std::max(preetham_zenith(turbidity, day.zenith_rad).luminance_kcdm2, 0.0) * 1e3;
   auto published = make_form_sky_at_zenith(form, day.sun, zenith_cdm2);
   if (rescaled) {
@@ -109,7 +109,8 @@ std::unique_ptr<SkyModel> cie(int type, const SkyOptions& options, const SunPosi
   const double overcast_lux = 300.0 + 21000.0 * std::sin(day.sun.elevation_rad);
   const double clear_lux = std::max(clear_condition(options.turbidity, day).diffuse_lux, 1.0);
   const double lux = std::exp(glm::mix(std::log(overcast_lux), std::log(clear_lux), clearness));
-  const SkyForm form{cie_shape(type), Indicatrix::Cie, std::max(options.turbidity, 2.0), 1.0 - clearness};
+  SkyForm form{cie_shape(type), Indicatrix::Cie, options.turbidity, nullptr, 1.0 - clearness};
+  if (clearness > 0.0) form.colors = make_reference_colors(options.turbidity, day.sun);
   return make_dusk_sky(make_form_sky(form, day.sun, lux), sun, options.turbidity,
                        lux * twilight_dimming(sun.elevation_rad), kGivenHandover, clearness);
 }

@@ -83,7 +83,8 @@ MoonPosition moon_position(const Place& place, UtcTime time, const Weather& weat
 }
 
 double moon_to_sun(const MoonPosition& moon) {
-  return moon_illuminance_lux(moon.elevation_rad, moon.phase_angle_rad) / clear_illuminance_lux(moon.elevation_rad);
+  return moon_illuminance_lux(moon.elevation_rad, moon.phase_angle_rad, moon.distance_m) /
+         clear_illuminance_lux(moon.elevation_rad);
 }
 
 SunPosition as_sun(const MoonPosition& moon) {

@@ -57,23 +57,25 @@ double perlin(double x, double y, double z, std::uint32_t seed) {
   return mix(layer(0), layer(1), fade(dz));
 }
 
-double perlin_octaves(double x, double y, double z, int octaves, double persistence, double finest,
-                      std::uint32_t seed) {
+Octaves perlin_octaves(double x, double y, double z, int octaves, double persistence, double finest,
+                       std::uint32_t seed) {
   constexpr double kDeviation = 0.27;  // of one octave
   double sum = 0.0;
   double variance = 0.0;
+  double kept = 0.0;
   double amplitude = 1.0;
   double frequency = 1.0;
   for (int i = 0; i < octaves; ++i) {
     variance += amplitude * amplitude;
-    const double resolved = std::clamp(2.0 - frequency * finest, 0.0, 1.0);
+    const double resolved = std::clamp(2.0 - 2.0 * frequency * finest, 0.0, 1.0);
     if (resolved > 0.0) {
       sum += resolved * amplitude * perlin(x * frequency, y * frequency, z, seed + static_cast<std::uint32_t>(i));
+      kept += resolved * resolved * amplitude * amplitude;
     }
     amplitude *= persistence;
     frequency *= 2.0;
   }
-  return sum / (kDeviation * std::sqrt(variance));
+  return {sum / (kDeviation * std::sqrt(variance)), std::sqrt(1.0 - kept / variance)};
 }
 
 }  // namespace render

@@ -9,8 +9,13 @@ namespace render {
 double perlin(double x, double y, double z, std::uint32_t seed);
 
 // Octaves of it, each with twice the frequency and `persistence` times the amplitude of the one before (Yang 2007,
-// section 3.2), divided by their common standard deviation. `finest` in (0, 1] is the smallest period of the first
-// octave's that is still added: finer ones would alias.
-double perlin_octaves(double x, double y, double z, int octaves, double persistence, double finest, std::uint32_t seed);
+// section 3.2), divided by their common standard deviation. Octaves whose period is under `finest`, in units of the
+// first octave's, would alias and are left out.
+struct Octaves {
+  double value = 0.0;
+  double lost = 0.0;  // standard deviation of what was left out, [0, 1]
+};
+Octaves perlin_octaves(double x, double y, double z, int octaves, double persistence, double finest,
+                       std::uint32_t seed);
 
 }  // namespace render

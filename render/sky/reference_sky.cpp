@@ -15,9 +15,14 @@ namespace render {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kRows = 36;     // elevation, dense at the horizon
-constexpr int kColumns = 19;  // azimuth from the sun, 0 to 180 degrees
-constexpr int kSteps = 32;
+
+struct Detail {
+  int rows;     // elevation, dense at the horizon
+  int columns;  // azimuth from the sun, 0 to 180 degrees
+  int steps;    // along each ray
+};
+constexpr Detail kFull{36, 19, 32};
+constexpr Detail kColors{20, 11, 24};
 constexpr double kEyeRadiusM = Atmosphere::kGroundRadiusM + 2.0;
 
 // What arrives from one direction, in XYZ: light scattered once by molecules and by aerosol, still to be multiplied by
@@ -34,7 +39,7 @@ Arriving mix(const Arriving& a, const Arriving& b, double w) {
           a.multiple + (b.multiple - a.multiple) * w};
 }
 
-Arriving integrate(const Atmosphere& air, const glm::dvec3& view, const glm::dvec3& sun) {
+Arriving integrate(const Atmosphere& air, const glm::dvec3& view, const glm::dvec3& sun, int steps) {
   const double length = Atmosphere::reach(kEyeRadiusM, view.z).length_m;
   const double cos_theta = glm::dot(view, sun);
   Bands molecular{};
@@ -42,9 +47,9 @@ Arriving integrate(const Atmosphere& air, const glm::dvec3& view, const glm::dve
   Bands multiple{};
   Bands through;
   through.fill(1.0);
-  for (int step = 0; step < kSteps; ++step) {
-    const double s0 = static_cast<double>(step) / kSteps;
-    const double s1 = static_cast<double>(step + 1) / kSteps;
+  for (int step = 0; step < steps; ++step) {
+    const double s0 = static_cast<double>(step) / steps;
+    const double s1 = static_cast<double>(step + 1) / steps;
     const double step_m = length * (s1 * s1 - s0 * s0);
     const double t = 0.5 * length * (s0 * s0 + s1 * s1);
     const double radius = std::sqrt(kEyeRadiusM * kEyeRadiusM + t * t + 2.0 * kEyeRadiusM * view.z * t);
@@ -66,21 +71,23 @@ Arriving integrate(const Atmosphere& air, const glm::dvec3& view, const glm::dve
 
 class ReferenceSky final : public SkyModel {
  public:
-  ReferenceSky(double turbidity, const SunPosition& sun)
-      : air_(Atmosphere::shared(turbidity)),
+  ReferenceSky(double turbidity, const SunPosition& sun, const Detail& detail)
+      : rows_(detail.rows),
+        columns_(detail.columns),
+        air_(Atmosphere::shared(turbidity)),
         sun_in_world_(sun.direction_in_world()),
         seen_sun_in_world_(sun.apparent_direction_in_world()),
         brightness_(1.0 / (sun.distance_au * sun.distance_au)) {
     const glm::dvec3 from_south(std::cos(sun.elevation_rad), 0.0, sun_in_world_.z);
-    table_.resize(static_cast<std::size_t>(kRows) * kColumns);
-    for (int row = 0; row < kRows; ++row) {
-      const double v = static_cast<double>(row) / (kRows - 1);
+    table_.resize(static_cast<std::size_t>(rows_ * columns_));
+    for (int row = 0; row < rows_; ++row) {
+      const double v = static_cast<double>(row) / (rows_ - 1);
       const double elevation = 0.5 * kPi * v * v;
-      for (int column = 0; column < kColumns; ++column) {
-        const double azimuth = kPi * column / (kColumns - 1);
+      for (int column = 0; column < columns_; ++column) {
+        const double azimuth = kPi * column / (columns_ - 1);
         const glm::dvec3 view(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                               std::sin(elevation));
-        table_[static_cast<std::size_t>(row * kColumns + column)] = integrate(*air_, view, from_south);
+        table_[static_cast<std::size_t>(row * columns_ + column)] = integrate(*air_, view, from_south, detail.steps);
       }
     }
   }
@@ -100,19 +107,21 @@ class ReferenceSky final : public SkyModel {
 
  private:
   Arriving look_up(const glm::dvec3& view) const {
-    const double row = std::sqrt(std::asin(std::min(view.z, 1.0)) / (0.5 * kPi)) * (kRows - 1);
+    const double row = std::sqrt(std::asin(std::min(view.z, 1.0)) / (0.5 * kPi)) * (rows_ - 1);
     // With the sun at the zenith the azimuth means nothing and the table is the same in every column.
     const double sine = view.x * sun_in_world_.y - view.y * sun_in_world_.x;
     const double cosine = view.x * sun_in_world_.x + view.y * sun_in_world_.y;
-    const double column = std::abs(std::atan2(sine, cosine)) / kPi * (kColumns - 1);
-    const int r = std::clamp(static_cast<int>(row), 0, kRows - 2);
-    const int c = std::clamp(static_cast<int>(column), 0, kColumns - 2);
+    const double column = std::abs(std::atan2(sine, cosine)) / kPi * (columns_ - 1);
+    const int r = std::clamp(static_cast<int>(row), 0, rows_ - 2);
+    const int c = std::clamp(static_cast<int>(column), 0, columns_ - 2);
     const auto at = [this](int i, int j) -> const Arriving& {
-      return table_[static_cast<std::size_t>(i * kColumns + j)];
+      return table_[static_cast<std::size_t>(i * columns_ + j)];
     };
     return mix(mix(at(r, c), at(r, c + 1), column - c), mix(at(r + 1, c), at(r + 1, c + 1), column - c), row - r);
   }
 
+  int rows_;
+  int columns_;
   std::shared_ptr<const Atmosphere> air_;
   glm::dvec3 sun_in_world_;
   glm::dvec3 seen_sun_in_world_;
@@ -123,7 +132,11 @@ class ReferenceSky final : public SkyModel {
 }  // namespace
 
 std::unique_ptr<SkyModel> make_reference_sky(double turbidity, const SunPosition& sun) {
-  return std::make_unique<ReferenceSky>(turbidity, sun);
+  return std::make_unique<ReferenceSky>(turbidity, sun, kFull);
+}
+
+std::unique_ptr<SkyModel> make_reference_colors(double turbidity, const SunPosition& sun) {
+  return std::make_unique<ReferenceSky>(turbidity, sun, kColors);
 }
 
 }  // namespace render

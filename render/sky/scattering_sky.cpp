@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "render/medium/medium.h"
+#include "render/sky/atmosphere.h"
 #include "render/sky/direction.h"
 #include "render/sun/air_mass.h"
 #include "render/sun/spectrum.h"
@@ -21,15 +22,15 @@ constexpr double kEccentricity = 0.76;                 // g of the Mie particles
 class ScatteringSky final : public SkyModel {
  public:
   ScatteringSky(double turbidity, const SunPosition& sun) : sun_in_world_(daytime_sun_direction(sun)) {
-    const double held = std::clamp(turbidity, 1.0, 20.0);
-    const double beta = std::max(0.04608365822050 * held - 0.04586025928522, 0.0);
+    const double beta = Atmosphere::aerosol_depth_at_1um(turbidity);
     rayleigh_ = 0.008735 * glm::pow(kWavelengthsUm, glm::dvec3(-4.08)) / kScaleHeightM;
-    // "an approximation which scales with 1 / lambda^2", with the published amount of aerosol at 550 nm
+    // "an approximation which scales with 1 / lambda^2", with the same aerosol as the reference at 550 nm
     const double mie_at_550 = beta * std::pow(0.55, -1.3) / kScaleHeightM;
     mie_ = mie_at_550 * (0.55 * 0.55) / (kWavelengthsUm * kWavelengthsUm);
     const double sun_path_m = path_m(std::asin(std::clamp(sun_in_world_.z, 0.0, 1.0)));
     const glm::dvec3 outside = rgb_from_xyz(xyz_from_spectrum(extraterrestrial_irradiance()));
-    sun_illuminance_ = outside * glm::exp(-(rayleigh_ + mie_) * sun_path_m) / (sun.distance_au * sun.distance_au);
+    // "a scalar factor which represents the energy of the sun": what of it arrives, without its colour
+    sun_lux_ = luminance(outside * glm::exp(-(rayleigh_ + mie_) * sun_path_m)) / (sun.distance_au * sun.distance_au);
   }
 
   glm::dvec3 luminance_rgb(const glm::dvec3& direction_in_world) const override {
@@ -39,7 +40,7 @@ class ScatteringSky final : public SkyModel {
     const glm::dvec3 scattered = rayleigh_ * phase(PhaseFunction::Rayleigh, 0.0, cosine) +
                                  mie_ * phase(PhaseFunction::HenyeyGreenstein, kEccentricity, cosine);
     const double path = path_m(std::asin(std::clamp(view.z, 0.0, 1.0)));
-    return sun_illuminance_ * scattered / extinction * (1.0 - glm::exp(-extinction * path));  // Yang 2007, eq. 5
+    return sun_lux_ * scattered / extinction * (1.0 - glm::exp(-extinction * path));  // Yang 2007, eq. 5
   }
 
  private:
@@ -48,7 +49,7 @@ class ScatteringSky final : public SkyModel {
   glm::dvec3 sun_in_world_;
   glm::dvec3 rayleigh_;  // 1/m
   glm::dvec3 mie_;
-  glm::dvec3 sun_illuminance_;
+  double sun_lux_;
 };
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kBlendHalfDeg = 0.5;
+constexpr double kMeanMoonDistanceM = 3.844e8;
 
 // log10 of the illuminance as a cubic of elevation / 90 degrees, from `floor_deg` upwards (Circular 171, table 1).
 struct Piece {
@@ -54,14 +55,14 @@ double clear_illuminance_lux(double sun_elevation_rad) {
   return std::pow(10.0, blended(kSun, kFloorDeg) + slope * (elevation_deg - kFloorDeg));
 }
 
-double moon_illuminance_lux(double moon_elevation_rad, double phase_angle_rad) {
+double moon_illuminance_lux(double moon_elevation_rad, double phase_angle_rad, double distance_m) {
   const double elevation_deg = std::min(moon_elevation_rad / kRadPerDeg, 90.0);
   const double risen = smooth_step(-0.8, 0.2, elevation_deg);
   if (risen <= 0.0) return 0.0;
-  const double elongation = std::clamp(std::numbers::pi - phase_angle_rad, 1e-3, std::numbers::pi);
-  const double phase = 0.892 * std::exp(-3.343 / std::pow(std::tan(0.5 * elongation), 0.632)) +
-                       0.0344 * (std::sin(elongation) - elongation * std::cos(elongation));
-  return risen * phase * std::pow(10.0, blended(kFullMoon, elevation_deg));
+  const double phase_deg = phase_angle_rad / kRadPerDeg;
+  const double log_phase = -0.00868 * phase_deg - 2.2e-9 * std::pow(phase_deg, 4.0);
+  const double nearness = kMeanMoonDistanceM / distance_m;
+  return risen * nearness * nearness * std::pow(10.0, blended(kFullMoon, elevation_deg) + log_phase);
 }
 
 double diffuse_level_lux(double model_lux, const SunPosition& sun, double turbidity) {

@@ -11,7 +11,7 @@ double clear_illuminance_lux(double sun_elevation_rad);
 
 // Illuminance of level ground from the moon, seen at that elevation and with `phase_angle_rad` between sun and earth
 // (0 full, pi new), from the same circular. 0 below the horizon, fading in over the first degree around it.
-double moon_illuminance_lux(double moon_elevation_rad, double phase_angle_rad);
+double moon_illuminance_lux(double moon_elevation_rad, double phase_angle_rad, double distance_m);
 
 // Diffuse illuminance in lux that a sky should give level ground: `model_lux`, a model's own value for this sun, by
 // day; below 15 degrees more and more what clear_illuminance_lux() leaves for the sky; in twilight all of it.
