@@ -41,7 +41,7 @@ void sample(const SkyModel& sky, const SkyVisibility& visibility, const Spherica
   // Means are weighted by projected solid angle, so that coarse patches keep the illuminance of level ground.
   const double weight = triangle.moment_sr().z;
   patch.luminance_rgb += sky.luminance_rgb(middle) * weight;
-  patch.visibility += (visibility ? visibility(middle) : 1.0) * weight;
+  patch.visibility += (visibility.seen ? visibility.seen(middle) : 1.0) * weight;
 }
 
 SkyPatch patch_of(const SkyModel& sky, const SkyVisibility& visibility, const std::vector<SphericalTriangle>& triangles,

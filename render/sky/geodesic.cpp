@@ -42,7 +42,7 @@ class Refiner {
     bool edge = false;
     for (std::size_t i = 0; i < 4; ++i) {
       const glm::dvec3 middle = quarters[i].centroid();
-      result.quarters[i] = {sky_.luminance_rgb(middle), visibility_ ? visibility_(middle) : 1.0};
+      result.quarters[i] = {sky_.luminance_rgb(middle), visibility_.seen ? visibility_.seen(middle) : 1.0};
       edge = edge || result.quarters[i].visibility != result.quarters[0].visibility;
       const double value = seen(result.quarters[i]);
       const double projected = quarters[i].moment_sr().z;
@@ -52,13 +52,7 @@ class Refiner {
       highest = std::max(highest, value);
     }
     mean /= level;
-    // The corners of the quarters, too: an edge may pass between their middles.
-    for (const SphericalTriangle& quarter : quarters) {
-      if (!visibility_) break;
-      for (const glm::dvec3& corner : quarter.corner) {
-        edge = edge || visibility_(corner) != result.quarters[0].visibility;
-      }
-    }
+    edge = edge || edge_within(triangle, quarters);
     // The middle quarter stands for what one sample would have seen. A share of the contrast guards against samples
     // that agree by chance. An edge leaves each quarter's sample right or wrong as a whole.
     if (edge) {
@@ -70,6 +64,23 @@ class Refiner {
   }
 
  private:
+  bool edge_within(const SphericalTriangle& triangle, const std::array<SphericalTriangle, 4>& quarters) const {
+    if (!visibility_.seen) return false;
+    if (visibility_.edge_distance_rad) {
+      const glm::dvec3 middle = triangle.centroid();
+      double nearest = 1.0;
+      for (const glm::dvec3& corner : triangle.corner) nearest = std::min(nearest, glm::dot(middle, corner));
+      return visibility_.edge_distance_rad(middle) < std::acos(nearest);
+    }
+    const double one = visibility_.seen(triangle.corner[0]);
+    for (const SphericalTriangle& quarter : quarters) {
+      for (const glm::dvec3& corner : quarter.corner) {
+        if (visibility_.seen(corner) != one) return true;
+      }
+    }
+    return false;
+  }
+
   const SkyModel& sky_;
   const SkyVisibility& visibility_;
 };

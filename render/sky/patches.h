@@ -19,8 +19,12 @@ struct SkyPatch {
   double visibility;         // share that is seen, [0, 1]
 };
 
-// How much of the sky is seen in a direction, in [0, 1]: what a portal or an obstacle leaves.
-using SkyVisibility = std::function<double(const glm::dvec3& direction_in_world)>;
+// What a portal or an obstacle leaves of the sky. Empty functions: all of it.
+struct SkyVisibility {
+  std::function<double(const glm::dvec3& direction_in_world)> seen;  // share, [0, 1]
+  // Angle in radians to the nearest direction at which `seen` jumps, or less. Without it thin things may be missed.
+  std::function<double(const glm::dvec3& direction_in_world)> edge_distance_rad;
+};
 
 // The upper half of the sky in patches that tile it exactly: their solid angles sum to 2 pi.
 class SkyPatches {
@@ -60,6 +64,6 @@ struct Portal {
 };
 
 // What of the sky is seen through any of `portals` from a point; nothing where there are none.
-SkyVisibility through_portals(std::vector<Portal> portals, const glm::dvec3& eye_in_world);
+SkyVisibility through_portals(const std::vector<Portal>& portals, const glm::dvec3& eye_in_world);
 
 }  // namespace render
