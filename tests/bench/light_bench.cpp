@@ -6,6 +6,8 @@
 #include <chrono>
 #include <ctime>
 #include <functional>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <vector>
 
 #include "tests/golden/light/light_rig.h"
@@ -52,6 +54,43 @@ SceneState garden() {
   return scene;
 }
 
+Instance real_box(const glm::vec3& size_m, const glm::dvec3& middle, double heading_deg) {
+  Instance box = place(make_box(size_m), middle, true);
+  box.world_from_model = place_model(middle, glm::radians(heading_deg), 1.0);
+  return box;
+}
+
+Instance turned(const std::string& name, const glm::dvec3& position, double heading_deg) {
+  Instance instance = load(name, position);
+  instance.world_from_model = place_model(position, glm::radians(heading_deg), 1.0);
+  return instance;
+}
+
+// data/scenes/demo.yaml, seen as in the middle of the demo's recording.
+SceneState court() {
+  SceneState scene = sunny(247.83, 25.83);
+  scene.sun.illuminance_rgb = glm::dvec3(74000.0);
+  scene.sun.angular_radius_rad = 0.0047;
+  scene.exposure = 1.0 / 13500.0;
+  Camera& camera = scene.camera;
+  camera.width = 1280;
+  camera.height = 720;
+  camera.fx = camera.fy = 1024.2;
+  camera.cx = 640.0;
+  camera.cy = 360.0;
+  camera.world_from_camera =
+      glm::translate(glm::dmat4(1.0), {4.092, 5.713, 1.593}) *
+      glm::mat4_cast(glm::normalize(glm::dquat(0.204760565, -0.226687134, -0.704617969, 0.640468244)));
+  scene.instances = {turned("pergola", {-0.35, -0.35, 0.0}, 30.0),
+                     turned("plant", {-0.95, 0.75, 0.0}, 60.0),
+                     place(make_ground(), glm::dvec3(0.0), true),
+                     real_box({9.0, 0.42, 0.72}, {-3.6, -3.6, 0.36}, 45.0),
+                     real_box({9.1, 0.52, 0.07}, {-3.6, -3.6, 0.755}, 45.0),
+                     real_box({0.55, 0.55, 0.50}, {1.98, -2.26, 0.25}, 20.0),
+                     real_box({1.5, 0.45, 0.42}, {-3.04, 1.63, 0.21}, 60.0)};
+  return scene;
+}
+
 void report(const std::string& name, const Times& times) {
   fmt::print("{:32} {:8.2f} ms wall, {:8.2f} ms of processor time\n", name, times.wall_ms, times.cpu_ms);
 }
@@ -88,6 +127,24 @@ TEST(LightBench, MedianOfEachPassAt1280x720) {
   closed->draw(inputs);
   report("closed-form divisor=2", median_times([&] { closed->draw(inputs); }));
   EXPECT_GT(picture.touched.width, 0);
+}
+
+TEST(LightBench, TheDemosObjectsAt1280x720) {
+  SceneState scene = court();
+  const View view = pinhole_view(scene.camera);
+  LightRig& r = rig();
+  dump(r.render(scene), "court");
+  const auto objects = [&] { r.objects.draw(scene, view, r.shadow, r.models); };
+  report("court: objects", median_times(objects));
+  const std::vector<Instance> all = scene.instances;
+  scene.instances.erase(scene.instances.begin() + 2, scene.instances.end());
+  r.shadow.update(scene, view, 2048, r.models);
+  report("court: virtual things alone", median_times(objects));
+  scene.instances.erase(scene.instances.begin());
+  report("court: plant alone", median_times(objects));
+  scene.instances = all;
+  scene.sun.illuminance_rgb = glm::dvec3(0.0);
+  report("court: objects, no sun", median_times(objects));
 }
 
 }  // namespace
