@@ -23,7 +23,7 @@ process() { # IN OUT REPORT
 
 for ((i = 0; i < runs; ++i)); do
   seconds process clip.mp4 composite.mp4 report.json >>whole.$$
-  seconds "$build/bench_transcode" clip.mp4 transcoded.mp4 >>bare.$$
+  seconds "$build/transcode_bench" clip.mp4 transcoded.mp4 >>bare.$$
 done
 whole=$(median <whole.$$)
 bare=$(median <bare.$$)
