@@ -10,6 +10,7 @@
 
 #include "app/error.h"
 #include "ar/error.h"
+#include "render/sky/moon.h"
 #include "render/sky/sky_light.h"
 #include "render/sky/sky_model.h"
 #include "render/sun/sun.h"
@@ -33,10 +34,11 @@ void check_sun_is_known(const SceneSun& sun, const Conditions& conditions) {
       missing));
 }
 
-std::shared_ptr<const render::SkyModel> sky_for(const SceneSky& sky, const render::SunPosition& sun) {
-  if (sky.options.model == "none") return nullptr;
+std::shared_ptr<const render::SkyModel> sky_for(const SceneSky& sky, const render::SkyOptions& options,
+                                                const render::SunPosition& sun) {
+  if (options.model == "none") return nullptr;
   try {
-    return render::make_sky(sky.options, sun);
+    return render::make_sky(options, sun);
   } catch (const std::runtime_error& error) {
     throw ar::InputError(sky.where + ": " + error.what());
   }
@@ -81,6 +83,19 @@ render::SunPosition SceneStateBuilder::sun_at(std::int64_t second) const {
   return render::sun_position(to_render(*conditions_.place), *conditions_.time + std::chrono::seconds(second));
 }
 
+// The scene's sky at that second: clouds drift with the time of day, the moon stands where place and time put it.
+render::SkyOptions SceneStateBuilder::sky_options(std::int64_t second) const {
+  render::SkyOptions options = sky_.options;
+  if (!conditions_.time) return options;
+  const render::UtcTime now = *conditions_.time + std::chrono::seconds(second);
+  const auto midnight = std::chrono::floor<std::chrono::days>(now);
+  options.clouds.time_s = std::chrono::duration<double>(now - midnight).count();
+  if (conditions_.place && !sun_.azimuth_rad) {
+    options.moon = render::moon_position(to_render(*conditions_.place), now);
+  }
+  return options;
+}
+
 void SceneStateBuilder::light(std::int64_t second) {
   if (second_ == second) return;
   second_ = second;
@@ -89,7 +104,14 @@ void SceneStateBuilder::light(std::int64_t second) {
   state_.sun.direction_in_world = sun.apparent_direction_in_world();
   state_.sun.illuminance_rgb = sun_illuminance_rgb(sun_, sun, sky_.options.turbidity, height_m);
   state_.sun.angular_radius_rad = sun_.angular_radius_rad.value_or(sun.angular_radius_rad);
-  state_.sky = sky_for(sky_, sun);
+  const render::SkyOptions options = sky_options(second);
+  state_.sky = sky_for(sky_, options, sun);
+  const bool moonlit = options.moon && !sun_.illuminance_lux && state_.sun.illuminance_rgb == glm::dvec3(0.0);
+  if (moonlit) {  // once the sun is down, the moon casts the shadows
+    state_.sun.direction_in_world = options.moon->apparent_direction_in_world();
+    state_.sun.illuminance_rgb = render::moon_illuminance_rgb(*options.moon, options.turbidity);
+  }
+  if (state_.sky) state_.sun.illuminance_rgb *= state_.sky->transmittance(state_.sun.direction_in_world);
   const glm::dvec3 on_level_ground = state_.sun.illuminance_rgb * std::max(0.0, state_.sun.direction_in_world.z);
   state_.sky_light =
       state_.sky ? render::sky_light(*state_.sky, on_level_ground, sky_.ground_albedo) : render::SkyLight{};

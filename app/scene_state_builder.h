@@ -28,6 +28,7 @@ class SceneStateBuilder {
  private:
   void light(std::int64_t second);
   render::SunPosition sun_at(std::int64_t second) const;
+  render::SkyOptions sky_options(std::int64_t second) const;
 
   SceneSky sky_;
   SceneSun sun_;

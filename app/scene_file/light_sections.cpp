@@ -1,5 +1,6 @@
 // `sky:`, `medium:`, `sun:` and `exposure:`.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,21 +13,23 @@ namespace {
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 const std::vector<std::string>& sky_models() {
-  static const std::vector<std::string> models{"perez",      "preetham",   "cie:1 ... cie:15",
-                                               "scattering", "image:FILE", "none"};
+  static const std::vector<std::string> models{"perez",      "preetham",  "preetham:rescaled", "cie:1 ... cie:15",
+                                               "scattering", "reference", "image:FILE",        "none"};
   return models;
 }
 
 // Whether the word can name a model at all; make_sky() knows which of them this version has.
 bool is_sky_model(const std::string& word) {
   if (word.starts_with("cie:") || word.starts_with("image:")) return true;
-  return word == "perez" || word == "preetham" || word == "scattering" || word == "none";
+  const auto& known = sky_models();
+  return std::find(known.begin(), known.end(), word) != known.end();
 }
 
 std::string read_sky_model(const YamlValue& value) {
   const std::string word = value.text(join_or(sky_models()));
   if (!is_sky_model(word)) {
-    const std::string meant = closest(word, {"perez", "preetham", "scattering", "none"});
+    const std::string meant =
+        closest(word, {"perez", "preetham", "preetham:rescaled", "scattering", "reference", "none"});
     value.fail(join_or(sky_models()), meant.empty() ? "" : "did you mean '" + meant + "'?");
   }
   const std::string image = "image:";
@@ -60,6 +63,19 @@ double read_extinction(const YamlMap& map) {
   return map.find("extinction")->number("1/m, 0 or above", [](double x) { return x >= 0.0; });
 }
 
+render::CloudOptions read_clouds(const YamlValue& value) {
+  const YamlMap map = value.map({"preset", "seed"});
+  const std::vector<std::string> presets{"clear", "light", "cloudy", "overcast", "night"};
+  const YamlValue preset = map.require("preset", join_or(presets));
+  render::CloudOptions clouds;
+  clouds.preset = preset.text(join_or(presets));
+  if (std::find(presets.begin(), presets.end(), clouds.preset) == presets.end()) preset.fail(join_or(presets));
+  clouds.seed = static_cast<std::uint32_t>(map.number_or("seed", 1.0, "a whole number from 0 to 1000000", [](double x) {
+    return x >= 0.0 && x <= 1e6 && x == std::floor(x);
+  }));
+  return clouds;
+}
+
 glm::dvec3 read_color(const YamlValue& value) {
   const std::string accepted = "[red, green, blue], linear, none below 0 and not all 0";
   const glm::dvec3 color = value.vector3(accepted);
@@ -76,7 +92,8 @@ SceneSky read_sky(const YamlValue& value) {
     sky.options.model = read_sky_model(value);
     return sky;
   }
-  const YamlMap map = value.map({"model", "turbidity", "ground_albedo"}, {"clouds"});
+  const YamlMap map = value.map({"model", "turbidity", "ground_albedo", "clouds"});
+  if (const auto clouds = map.find("clouds")) sky.options.clouds = read_clouds(*clouds);
   if (const auto model = map.find("model")) {
     sky.options.model = read_sky_model(*model);
     sky.where = model->where();
