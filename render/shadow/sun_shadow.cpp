@@ -68,6 +68,7 @@ struct SunShadow::Impl {
     slot.sun_direction = scene.sun.direction_in_world;
     slot.map.fit = fit;
     slot.rendered = true;
+    ++slot.map.revision;
     make_storage(slot, size);
     draw(slot, casters, models);
     return true;

@@ -18,6 +18,7 @@ namespace render {
 struct ShadowMap {
   GLuint depth_texture = 0;
   int size_px = 0;
+  unsigned revision = 0;  // counts its renderings
   ShadowFit fit;
 };
 

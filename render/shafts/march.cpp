@@ -3,25 +3,23 @@
 namespace render {
 namespace {
 
-constexpr int kVirtualMapUnit = 8;  // and 9
-constexpr int kRealMapUnit = 10;    // and 11
+constexpr int kMapUnit = 8;
 
-bool casts(const ShaftInputs& inputs, Casters kind) {
-  return !inputs.shadow.map(kind).fit.empty;
+// The march takes its full number of steps across the medium's longest way, and fewer on shorter ones.
+float least_step_m(const Medium& medium, int steps) {
+  if (!medium.extent) return 1e-9F;
+  return static_cast<float>(glm::length(medium.extent->max_in_world - medium.extent->min_in_world) / steps);
 }
 
 }  // namespace
 
 const gl::Program& March::program(const ShaftInputs& inputs) {
   const bool bounded = inputs.scene.medium->extent.has_value();
-  const int key = (bounded ? 1 : 0) + (casts(inputs, Casters::Virtual) ? 2 : 0) +
-                  (casts(inputs, Casters::Real) ? 4 : 0) + (inputs.depth != 0 ? 8 : 0);
+  const int key = (bounded ? 1 : 0) + (inputs.depth != 0 ? 2 : 0);
   auto found = programs_.find(key);
   if (found == programs_.end()) {
     gl::Defines defines;
     if (bounded) defines.push_back({"BOUNDED"});
-    if (casts(inputs, Casters::Virtual)) defines.push_back({"VIRTUAL_CASTERS"});
-    if (casts(inputs, Casters::Real)) defines.push_back({"REAL_CASTERS"});
     if (inputs.depth == 0) defines.push_back({"NO_DEPTH"});
     found = programs_.emplace(key, gl::Program("lib/full_screen.vert", "shafts/march.frag", defines)).first;
   }
@@ -46,20 +44,22 @@ void March::average_rows() {
 
 const ShaftPicture& March::draw(const ShaftInputs& inputs) {
   const glm::ivec2 size_px = shaft_size(inputs.view, divisor_);
-  make_targets(size_px);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
+  casters_.update(inputs);
+  if (casters_.empty()) return shade_.draw(inputs, size_px, nullptr);
+  make_targets(size_px);
   lit_target_[0].bind();
   const gl::Program& march = program(inputs);
   march.use();
   set_ray(march, inputs, size_px);
   march.set("steps", steps_);
-  inputs.shadow.bind(Casters::Virtual, inputs.view, march, kVirtualMapUnit);
-  inputs.shadow.bind(Casters::Real, inputs.view, march, kRealMapUnit);
+  march.set("least_step_m", least_step_m(*inputs.scene.medium, steps_));
+  march.set("map_from_local", glm::mat4(casters_.map_from_world() * glm::inverse(inputs.view.local_from_world())));
+  march.set("caster_depth", kMapUnit);
+  casters_.texture().bind(kMapUnit);
   gl::draw_full_screen(no_vertices_);
-  SunShadow::unbind(kVirtualMapUnit);
-  SunShadow::unbind(kRealMapUnit);
   average_rows();
   return shade_.draw(inputs, size_px, &lit_[1]);
 }

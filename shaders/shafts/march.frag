@@ -2,91 +2,73 @@
 // Which part of the sunlight that the medium sends to the eye along each view ray gets past the casters. Only where
 // the ray crosses the space that casters can shade is it marched; the weights are analytic, so that an unshaded ray
 // comes out as exactly 1.
-// variant: VIRTUAL_CASTERS
-// variant: VIRTUAL_CASTERS BOUNDED
-// variant: VIRTUAL_CASTERS REAL_CASTERS BOUNDED
-// variant: REAL_CASTERS
+// variant:
+// variant: NO_DEPTH
+// variant: BOUNDED
 precision highp float;
 
 #include "shafts/ray.glsl"
 #include "shafts/view_depth.glsl"
 
-uniform int steps;
-#ifdef VIRTUAL_CASTERS
-uniform highp sampler2D virtual_depth;
-uniform mat4 virtual_map_from_local;
-#endif
-#ifdef REAL_CASTERS
-uniform highp sampler2D real_depth;
-uniform mat4 real_map_from_local;
-#endif
+uniform int steps;           // at most, on a ray
+uniform float least_step_m;  // a short way takes fewer
+uniform highp sampler2D caster_depth;  // render/shafts/caster_map.h
+uniform mat4 map_from_local;
 
 layout(location = 0) out vec2 lit_and_distance;
 
 // Nothing beyond this optical depth is seen: exp(-12) = 6e-6.
 const float kDeepest = 12.0;
 
-// Where a ray is in the prism behind a map's near plane: there, casters may shade it.
-vec2 shadow_stretch(mat4 map_from_local, vec3 direction) {
+// Where a ray is in the prism behind the map's near plane: there, casters may shade it.
+vec2 shadow_stretch(vec3 direction) {
   vec3 origin = map_from_local[3].xyz;
   vec3 d = mat3(map_from_local) * direction;
   return intersect(intersect(slab(origin.x, d.x, 0.0, 1.0), slab(origin.y, d.y, 0.0, 1.0)),
                    slab(origin.z, d.z, 0.0, 1e20));
 }
 
-vec2 hull(vec2 a, vec2 b) {
-  if (a.y <= a.x) return b;
-  if (b.y <= b.x) return a;
-  return vec2(min(a.x, b.x), max(a.y, b.y));
+// `at` in texels across the map. The stretch lies inside the map, but rounding may step over its edge: a fetch beyond
+// it is 0, which must not count as shade.
+float lit_at(vec3 at, ivec2 last) {
+  return texelFetch(caster_depth, clamp(ivec2(at.xy), ivec2(0), last), 0).r < at.z ? 0.0 : 1.0;
 }
 
-// `at` in texels across the map. The stretch lies inside the map, but rounding may step over its edge.
-float lit_at(highp sampler2D map, vec3 at, int last) {
-  return texelFetch(map, clamp(ivec2(at.xy), 0, last), 0).r < min(at.z, 1.0) ? 0.0 : 1.0;
-}
-
-float march(Ray ray, vec2 stretch, float entry, float offset) {
-  float dt = (stretch.y - stretch.x) / float(steps);
-#ifdef VIRTUAL_CASTERS
-  vec3 virtual_at = (virtual_map_from_local * vec4(ray.direction * (stretch.x + dt * offset), 1.0)).xyz;
-  vec3 virtual_step = mat3(virtual_map_from_local) * ray.direction * dt;
-  int virtual_size = textureSize(virtual_depth, 0).x;
-  virtual_at.xy *= float(virtual_size);
-  virtual_step.xy *= float(virtual_size);
-#endif
-#ifdef REAL_CASTERS
-  vec3 real_at = (real_map_from_local * vec4(ray.direction * (stretch.x + dt * offset), 1.0)).xyz;
-  vec3 real_step = mat3(real_map_from_local) * ray.direction * dt;
-  int real_size = textureSize(real_depth, 0).x;
-  real_at.xy *= float(real_size);
-  real_step.xy *= float(real_size);
-#endif
+float march(Ray ray, vec2 stretch, float offset) {
+  // Four steps at a time share the sun's way through the medium.
+  int blocks = int(clamp(ceil((stretch.y - stretch.x) / (4.0 * least_step_m)), 1.0, float(steps / 4)));
+  float dt = (stretch.y - stretch.x) / float(4 * blocks);
+  ivec2 size = textureSize(caster_depth, 0);
+  vec3 texels = vec3(size, 1.0);
+  vec3 at = texels * (map_from_local * vec4(ray.direction * (stretch.x + dt * offset), 1.0)).xyz;
+  vec3 along = texels * (mat3(map_from_local) * ray.direction) * dt;
 #ifdef BOUNDED
   vec3 line_a;
   vec3 line_b;
   sun_path_lines(vec3(0.0), ray.direction, box_low_in_local, box_high_in_local, sun_direction_in_local, line_a, line_b);
+  float middle = stretch.x + dt * (1.5 + offset);
 #endif
   float fade = exp(-extinction * dt);  // each step's part of the light is the last one's times this
-  float weight = 1.0;
+  vec4 weights = vec4(1.0, fade, fade * fade, fade * fade * fade);
+  float block_fade = weights.w * fade;
+  float block_weight = 1.0;
   float lit = 0.0;
   float all = 0.0;
-  for (int i = 0; i < steps; ++i) {
-    float w = weight;
+  for (int i = 0; i < blocks; ++i) {
+    float weight = block_weight;
 #ifdef BOUNDED
-    w *= exp(-extinction * sun_path(line_a, line_b, stretch.x + dt * (float(i) + offset)));
+    weight *= exp(-extinction * sun_path(line_a, line_b, middle));
+    middle += 4.0 * dt;
 #endif
-    float seen = 1.0;
-#ifdef VIRTUAL_CASTERS
-    seen *= lit_at(virtual_depth, virtual_at, virtual_size - 1);
-    virtual_at += virtual_step;
-#endif
-#ifdef REAL_CASTERS
-    seen *= lit_at(real_depth, real_at, real_size - 1);
-    real_at += real_step;
-#endif
-    lit += w * seen;
-    all += w;
-    weight *= fade;
+    vec4 seen;
+    seen.x = lit_at(at, size - 1);
+    seen.y = lit_at(at + along, size - 1);
+    seen.z = lit_at(at + 2.0 * along, size - 1);
+    seen.w = lit_at(at + 3.0 * along, size - 1);
+    lit += weight * dot(seen, weights);
+    all += weight * dot(vec4(1.0), weights);
+    at += 4.0 * along;
+    block_weight *= block_fade;
   }
   return all > 0.0 ? lit / all : 1.0;
 }
@@ -105,19 +87,13 @@ void main() {
   lit_and_distance = vec2(1.0, z);
   if (stretch.y <= stretch.x) return;
 
-  vec2 shaded = vec2(1.0, 0.0);
-#ifdef VIRTUAL_CASTERS
-  shaded = hull(shaded, shadow_stretch(virtual_map_from_local, ray.direction));
-#endif
-#ifdef REAL_CASTERS
-  shaded = hull(shaded, shadow_stretch(real_map_from_local, ray.direction));
-#endif
-  shaded = intersect(shaded, vec2(stretch.x, min(stretch.y, stretch.x + kDeepest / max(extinction, 1e-9))));
+  float deepest = min(stretch.y, stretch.x + kDeepest / max(extinction, 1e-9));
+  vec2 shaded = intersect(shadow_stretch(ray.direction), vec2(stretch.x, deepest));
   if (shaded.y <= shaded.x) return;
 
   float all = sunlit_fraction(ray, stretch, stretch.x);
   float part = sunlit_fraction(ray, shaded, stretch.x);
   if (part <= 0.0) return;
-  float shadowed = part * (1.0 - march(ray, shaded, stretch.x, step_offset(ivec2(gl_FragCoord.xy))));
+  float shadowed = part * (1.0 - march(ray, shaded, step_offset(ivec2(gl_FragCoord.xy))));
   lit_and_distance.x = clamp(1.0 - shadowed / max(all, 1e-30), 0.0, 1.0);
 }

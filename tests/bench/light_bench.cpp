@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
@@ -91,6 +92,34 @@ SceneState court() {
   return scene;
 }
 
+// Much as data/scenes/demo.yaml: smoke under a roof, casters of both kinds.
+SceneState demo() {
+  SceneState scene = sunny(247.8, 25.8);
+  scene.camera = look_at(1280, 720, {3.91, 5.81, 1.6}, {-0.35, -0.35, 1.1}, 38.7);
+  Instance pergola = load("pergola", {-0.35, -0.35, 0.0});
+  pergola.world_from_model = place_model({-0.35, -0.35, 0.0}, 303.0, 1.0);
+  scene.instances = {place(make_ground(), glm::dvec3(0.0), true), std::move(pergola), load("plant", {-0.95, 0.75, 0.0}),
+                     place(make_box({0.55, 0.55, 0.5}), {1.98, -2.26, 0.25}, true),
+                     place(make_box({1.5, 0.45, 0.42}), {-3.04, 1.63, 0.21}, true)};
+  scene.medium.emplace();
+  scene.medium->extinction_per_m = 2.996 / 23.0;
+  scene.medium->albedo = 0.9;
+  scene.medium->g = 0.6;
+  scene.medium->extent = Box{{-2.4, -2.4, 0.0}, {1.7, 1.7, 2.42}};
+  return scene;
+}
+
+double relative_rmse(const Pixels& found, const Pixels& truth) {
+  double error = 0.0;
+  double total = 0.0;
+  for (std::size_t i = 0; i < truth.rgba.size(); ++i) {
+    const double d = found.rgba[i].r - truth.rgba[i].r;
+    error += d * d;
+    total += static_cast<double>(truth.rgba[i].r) * truth.rgba[i].r;
+  }
+  return std::sqrt(error / total);
+}
+
 void report(const std::string& name, const Times& times) {
   fmt::print("{:32} {:8.2f} ms wall, {:8.2f} ms of processor time\n", name, times.wall_ms, times.cpu_ms);
 }
@@ -145,6 +174,32 @@ TEST(LightBench, TheDemosObjectsAt1280x720) {
   scene.instances = all;
   scene.sun.illuminance_rgb = glm::dvec3(0.0);
   report("court: objects, no sun", median_times(objects));
+}
+
+// The error is that of the scattered light alone, against 1024 steps at the same size.
+TEST(LightBench, MarchOfTheDemoAt1280x720) {
+  const SceneState scene = demo();
+  const View view = pinhole_view(scene.camera);
+  LightRig& r = rig();
+  r.shadow.update(scene, view, 2048, r.models);
+  const ObjectsPicture& picture = r.objects.draw(scene, view, r.shadow, r.models);
+  const ShaftInputs inputs{.scene = scene, .view = view, .depth = picture.depth, .shadow = r.shadow};
+  for (const int divisor : {2, 3}) {
+    const auto fine = make_shaft_technique({.technique = "march", .steps = 1024, .divisor = divisor});
+    const ShaftPicture& truth_picture = fine->draw(inputs);
+    const Pixels truth = read_pixels(truth_picture.texture, truth_picture.width, truth_picture.height, GL_FLOAT);
+    for (const int steps : {16, 32, 64}) {
+      const auto march = make_shaft_technique({.technique = "march", .steps = steps, .divisor = divisor});
+      const ShaftPicture& drawn = march->draw(inputs);
+      const double error = relative_rmse(read_pixels(drawn.texture, drawn.width, drawn.height, GL_FLOAT), truth);
+      report(fmt::format("demo steps={} divisor={} error={:.4f}", steps, divisor, error),
+             median_times([&] { march->draw(inputs); }));
+      EXPECT_LT(error, 0.05);
+    }
+  }
+  const auto closed = make_shaft_technique({.technique = "closed-form", .divisor = 2});
+  closed->draw(inputs);
+  report("demo closed-form divisor=2", median_times([&] { closed->draw(inputs); }));
 }
 
 }  // namespace

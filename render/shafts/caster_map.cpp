@@ -1,0 +1,104 @@
+#include "render/shafts/caster_map.h"
+
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+namespace render {
+namespace {
+
+constexpr std::array<Casters, 2> kKinds{Casters::Virtual, Casters::Real};
+constexpr std::array<int, 2> kUnits{8, 10};  // each also takes the next
+
+struct Range {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  // A box's corners, taken to where this range is counted.
+  void add(const glm::dmat4& here_from_box, const glm::dvec3& box_low, const glm::dvec3& box_high) {
+    for (int i = 0; i < 8; ++i) {
+      const glm::dvec3 corner = glm::mix(box_low, box_high, glm::bvec3((i & 1) != 0, (i & 2) != 0, (i & 4) != 0));
+      const glm::dvec3 at(here_from_box * glm::dvec4(corner, 1.0));
+      low = glm::min(low, at);
+      high = glm::max(high, at);
+    }
+  }
+};
+
+}  // namespace
+
+void CasterMap::update(const ShaftInputs& inputs) {
+  Key key;
+  for (std::size_t i = 0; i < kKinds.size(); ++i) key.revisions[i] = inputs.shadow.map(kKinds[i]).revision;
+  if (const auto& extent = inputs.scene.medium->extent) {
+    key.box_low = extent->min_in_world;
+    key.box_high = extent->max_in_world;
+  }
+  if (made_ && key == key_) return;
+  key_ = key;
+  made_ = true;
+  empty_ = std::ranges::all_of(kKinds, [&](Casters kind) { return inputs.shadow.map(kind).fit.empty; });
+  if (empty_) return;
+  place(inputs);
+  draw(inputs);
+}
+
+void CasterMap::place(const ShaftInputs& inputs) {
+  // Counted in metres along the axes that both shadow maps share.
+  glm::dmat4 axes(1.0);
+  Range all;
+  for (const Casters kind : kKinds) {
+    const ShadowFit& fit = inputs.shadow.map(kind).fit;
+    if (fit.empty) continue;
+    if (all.low.x > all.high.x) axes = glm::scale(glm::dmat4(1.0), fit.metres_per_unit) * fit.map_from_world;
+    all.add(axes * glm::inverse(fit.map_from_world), glm::dvec3(0.0), glm::dvec3(1.0));
+  }
+  if (const auto& extent = inputs.scene.medium->extent) {
+    Range medium;
+    medium.add(axes, extent->min_in_world, extent->max_in_world);
+    for (int axis = 0; axis < 2; ++axis) {
+      const double low = std::max(all.low[axis], medium.low[axis]);
+      const double high = std::min(all.high[axis], medium.high[axis]);
+      if (low >= high) continue;  // beside the medium: nothing is marched, whatever the map
+      all.low[axis] = low;
+      all.high[axis] = high;
+    }
+  }
+  map_from_world_ =
+      glm::scale(glm::dmat4(1.0), 1.0 / (all.high - all.low)) * glm::translate(glm::dmat4(1.0), -all.low) * axes;
+}
+
+void CasterMap::draw(const ShaftInputs& inputs) {
+  int size_px = 1;
+  int present = 0;
+  gl::Defines defines;
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    const ShadowMap& map = inputs.shadow.map(kKinds[i]);
+    if (map.fit.empty) continue;
+    size_px = std::max(size_px, (map.size_px + 1) / 2);
+    present |= 1 << i;
+    defines.push_back({i == 0 ? "VIRTUAL_CASTERS" : "REAL_CASTERS"});
+  }
+  if (depth_.width() != size_px) {
+    depth_ = gl::Texture(GL_R32F, size_px, size_px, gl::Filter::Nearest, 1, "first casters");
+    framebuffer_ = gl::Framebuffer({&depth_}, nullptr, "first casters");
+  }
+  const gl::Program& program =
+      programs_.try_emplace(present, "lib/full_screen.vert", "shafts/caster_map.frag", defines).first->second;
+  framebuffer_.bind();
+  program.use();
+  program.set("texel", 1.0F / static_cast<float>(size_px));
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    const ShadowFit& fit = inputs.shadow.map(kKinds[i]).fit;
+    if (fit.empty) continue;
+    inputs.shadow.bind(kKinds[i], inputs.view, program, kUnits[i]);
+    const glm::dmat4 shadow_from_map = fit.map_from_world * glm::inverse(map_from_world_);
+    const std::string prefix = i == 0 ? "virtual_" : "real_";
+    program.set(prefix + "scale", glm::vec3(shadow_from_map[0].x, shadow_from_map[1].y, shadow_from_map[2].z));
+    program.set(prefix + "low", glm::vec3(shadow_from_map[3]));
+  }
+  gl::draw_full_screen(no_vertices_);
+  for (const int unit : kUnits) SunShadow::unbind(unit);
+}
+
+}  // namespace render
