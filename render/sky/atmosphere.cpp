@@ -48,6 +48,10 @@ double visible_disc(double radius_m, double mu) {
   return 0.5 + (std::asin(x) + x * std::sqrt(1.0 - x * x)) / kPi;
 }
 
+std::size_t cell_index(int row, int column, int columns) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+}
+
 struct Cell {
   int low;
   double weight;
@@ -182,8 +186,7 @@ void Atmosphere::tabulate_columns() {
       const double mu =
           distance <= 0.0 ? 1.0
                           : (kTopHorizonM * kTopHorizonM - rho * rho - distance * distance) / (2.0 * radius * distance);
-      columns_[static_cast<std::size_t>(row * kColumnAngles + column)] =
-          integrate_columns(radius, std::clamp(mu, -1.0, 1.0));
+      columns_[cell_index(row, column, kColumnAngles)] = integrate_columns(radius, std::clamp(mu, -1.0, 1.0));
     }
   }
 }
@@ -199,7 +202,7 @@ Atmosphere::Columns Atmosphere::columns_to_top(double radius_m, double mu) const
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) {
       const double weight = (i ? row.weight : 1.0 - row.weight) * (j ? column.weight : 1.0 - column.weight);
-      const Columns& at = columns_[static_cast<std::size_t>((row.low + i) * kColumnAngles + column.low + j)];
+      const Columns& at = columns_[cell_index(row.low + i, column.low + j, kColumnAngles)];
       result.molecules_m += weight * at.molecules_m;
       result.aerosol_m += weight * at.aerosol_m;
       result.ozone_m += weight * at.ozone_m;
@@ -272,7 +275,7 @@ void Atmosphere::tabulate_multiple_scattering() {
     const double s = static_cast<double>(row) / (kMultipleRadii - 1);
     const double radius = kGroundRadiusM + 10.0 + (kTopRadiusM - kGroundRadiusM - 20.0) * s * s;
     for (int column = 0; column < kMultipleAngles; ++column) {
-      multiple_[static_cast<std::size_t>(row * kMultipleAngles + column)] = scatter_twice(radius, mu_at(column));
+      multiple_[cell_index(row, column, kMultipleAngles)] = scatter_twice(radius, mu_at(column));
     }
   }
 }
@@ -285,7 +288,7 @@ Bands Atmosphere::multiple_scattering(double radius_m, double mu) const {
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) {
       const double weight = (i ? row.weight : 1.0 - row.weight) * (j ? column.weight : 1.0 - column.weight);
-      const Bands& at = multiple_[static_cast<std::size_t>((row.low + i) * kMultipleAngles + column.low + j)];
+      const Bands& at = multiple_[cell_index(row.low + i, column.low + j, kMultipleAngles)];
       for (std::size_t band = 0; band < kBandCount; ++band) result[band] += weight * at[band];
     }
   }

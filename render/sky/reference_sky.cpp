@@ -79,7 +79,7 @@ class ReferenceSky final : public SkyModel {
         seen_sun_in_world_(sun.apparent_direction_in_world()),
         brightness_(1.0 / (sun.distance_au * sun.distance_au)) {
     const glm::dvec3 from_south(std::cos(sun.elevation_rad), 0.0, sun_in_world_.z);
-    table_.resize(static_cast<std::size_t>(rows_ * columns_));
+    table_.resize(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_));
     for (int row = 0; row < rows_; ++row) {
       const double v = static_cast<double>(row) / (rows_ - 1);
       const double elevation = 0.5 * kPi * v * v;
@@ -87,7 +87,7 @@ class ReferenceSky final : public SkyModel {
         const double azimuth = kPi * column / (columns_ - 1);
         const glm::dvec3 view(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                               std::sin(elevation));
-        table_[static_cast<std::size_t>(row * columns_ + column)] = integrate(*air_, view, from_south, detail.steps);
+        table_[index(row, column)] = integrate(*air_, view, from_south, detail.steps);
       }
     }
   }
@@ -106,6 +106,10 @@ class ReferenceSky final : public SkyModel {
   }
 
  private:
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+
   Arriving look_up(const glm::dvec3& view) const {
     const double row = std::sqrt(std::asin(std::min(view.z, 1.0)) / (0.5 * kPi)) * (rows_ - 1);
     // With the sun at the zenith the azimuth means nothing and the table is the same in every column.
@@ -114,9 +118,7 @@ class ReferenceSky final : public SkyModel {
     const double column = std::abs(std::atan2(sine, cosine)) / kPi * (columns_ - 1);
     const int r = std::clamp(static_cast<int>(row), 0, rows_ - 2);
     const int c = std::clamp(static_cast<int>(column), 0, columns_ - 2);
-    const auto at = [this](int i, int j) -> const Arriving& {
-      return table_[static_cast<std::size_t>(i * columns_ + j)];
-    };
+    const auto at = [this](int i, int j) -> const Arriving& { return table_[index(i, j)]; };
     return mix(mix(at(r, c), at(r, c + 1), column - c), mix(at(r + 1, c), at(r + 1, c + 1), column - c), row - r);
   }
 

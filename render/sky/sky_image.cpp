@@ -21,6 +21,10 @@ constexpr double kStandsOut = 30.0;                    // times brighter than it
 constexpr double kGlareRad = 3.0 * kRadPerDeg;         // what a lens spreads the disc to
 constexpr double kSurroundingsRad = 6.0 * kRadPerDeg;  // ring from the glare to here
 
+std::size_t pixel_index(const LinearImage& image, int column, int row) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column);
+}
+
 double brightness(const glm::vec3& rgb) {
   return luminance(glm::dvec3(rgb));
 }
@@ -38,7 +42,7 @@ void for_each_near(const LinearImage& image, const glm::dvec3& centre, double ra
     for (int column = 0; column < image.width; ++column) {
       const glm::dvec3 direction = lat_long_direction(column, row, image.width, image.height);
       const double cosine = glm::dot(direction, centre);
-      if (cosine >= limit) visit(static_cast<std::size_t>(row) * image.width + column, row, cosine);
+      if (cosine >= limit) visit(pixel_index(image, column, row), row, cosine);
     }
   }
 }
@@ -48,8 +52,10 @@ glm::dvec3 brightest_direction(const LinearImage& image) {
   for (std::size_t i = 1; i < image.rgb.size(); ++i) {
     if (brightness(image.rgb[i]) > brightness(image.rgb[best])) best = i;
   }
-  const int width = image.width;
-  return lat_long_direction(static_cast<double>(best % width), static_cast<double>(best / width), width, image.height);
+  const auto width = static_cast<std::size_t>(image.width);
+  const std::size_t row = best / width;
+  const std::size_t column = best % width;
+  return lat_long_direction(static_cast<double>(column), static_cast<double>(row), image.width, image.height);
 }
 
 glm::dvec3 mean_of_ring(const LinearImage& image, const glm::dvec3& centre) {
@@ -89,7 +95,7 @@ class ImageSky final : public SkyModel {
   glm::dvec3 between(int row, int column, double weight) const {
     const auto at = [&](int c) {
       const int wrapped = (c + image_.width) % image_.width;
-      return glm::dvec3(image_.rgb[static_cast<std::size_t>(row) * image_.width + wrapped]);
+      return glm::dvec3(image_.rgb[pixel_index(image_, wrapped, row)]);
     };
     return at(column) + (at(column + 1) - at(column)) * weight;
   }
@@ -127,7 +133,7 @@ SkyImage separate_sun(LinearImage picture) {
   for_each_near(picture, centre, kGlareRad, [&](std::size_t i, int row, double) {
     const glm::dvec3 excess = glm::max(glm::dvec3(picture.rgb[i]) - surroundings, glm::dvec3(0.0));
     const glm::dvec3 light = excess * pixel_solid_angle(row, picture.width, picture.height);
-    const int column = static_cast<int>(i % picture.width);
+    const int column = static_cast<int>(i % static_cast<std::size_t>(picture.width));
     weighted += luminance(light) * lat_long_direction(column, row, picture.width, picture.height);
     sun.irradiance_rgb += light;
     peak = std::max(peak, brightness(picture.rgb[i]));
