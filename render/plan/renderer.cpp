@@ -105,7 +105,12 @@ struct Renderer::Impl {
     run(plan, PassKind::Objects, [&] { layers.objects = &objects_pass->draw(scene, view, shadow, models); });
     run(plan, PassKind::Shafts, [&] {
       const GLuint depth = layers.objects != nullptr ? layers.objects->depth : 0;
-      layers.shafts = &shafts_technique->draw({.scene = scene, .view = view, .depth = depth, .shadow = shadow});
+      const PixelRect seen = medium_region(view, *scene.medium);
+      layers.shafts = &shafts_technique->draw({.scene = scene,
+                                               .view = view,
+                                               .depth = depth,
+                                               .shadow = shadow,
+                                               .region_px = {seen.x, seen.y, seen.width, seen.height}});
     });
     return layers;
   }

@@ -4,6 +4,7 @@ namespace render {
 namespace {
 
 constexpr int kMapUnit = 8;
+constexpr int kTilePx = 4;
 
 // The march takes its full number of steps across the medium's longest way, and fewer on shorter ones.
 float least_step_m(const Medium& medium, int steps) {
@@ -50,6 +51,7 @@ const ShaftPicture& March::draw(const ShaftInputs& inputs) {
   casters_.update(inputs);
   if (casters_.empty()) return shade_.draw(inputs, size_px, nullptr);
   make_targets(size_px);
+  confine_to(shaft_region(inputs, size_px, kTilePx));  // the averages of the pixels that are shown reach past them
   lit_target_[0].bind();
   const gl::Program& march = program(inputs);
   march.use();

@@ -44,6 +44,23 @@ glm::ivec2 shaft_size(const View& view, int divisor) {
   return {(view.width + divisor - 1) / divisor, (view.height + divisor - 1) / divisor};
 }
 
+glm::ivec4 shaft_region(const ShaftInputs& inputs, const glm::ivec2& size_px, int margin_px) {
+  const glm::ivec4 region = inputs.region_px;
+  if (region.z <= 0 || region.w <= 0) return {0, 0, size_px.x, size_px.y};
+  const glm::dvec2 ratio = glm::dvec2(size_px) / glm::dvec2(inputs.view.width, inputs.view.height);
+  const glm::ivec2 margin(margin_px + 1);
+  const glm::ivec2 low = glm::ivec2(glm::floor(ratio * glm::dvec2(region.x, region.y))) - margin;
+  const glm::ivec2 high = glm::ivec2(glm::ceil(ratio * glm::dvec2(region.x + region.z, region.y + region.w))) + margin;
+  const glm::ivec2 from = glm::clamp(low, glm::ivec2(0), size_px);
+  const glm::ivec2 to = glm::clamp(high, glm::ivec2(0), size_px);
+  return {from, to - from};
+}
+
+void confine_to(const glm::ivec4& region_px) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(region_px.x, region_px.y, region_px.z, region_px.w);
+}
+
 void set_ray(const gl::Program& program, const ShaftInputs& inputs, const glm::ivec2& size_px) {
   const View& view = inputs.view;
   const Medium& medium = *inputs.scene.medium;
@@ -89,6 +106,14 @@ const ShaftPicture& ShadePass::draw(const ShaftInputs& inputs, const glm::ivec2&
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
+  const glm::ivec4 region = shaft_region(inputs, size_px, 0);
+  if (region != glm::ivec4(0, 0, size_px.x, size_px.y)) {
+    const std::array<float, 4> nothing{0.0F, 0.0F, 0.0F, 1.0F};
+    const std::array<float, 4> far_away{1e9F, 0.0F, 0.0F, 0.0F};
+    glClearBufferfv(GL_COLOR, 0, nothing.data());
+    glClearBufferfv(GL_COLOR, 1, far_away.data());
+    confine_to(region);
+  }
   const gl::Program& shade =
       program(inputs.scene.medium->extent.has_value(), lit_and_distance != nullptr, inputs.depth != 0);
   shade.use();
@@ -99,6 +124,7 @@ const ShaftPicture& ShadePass::draw(const ShaftInputs& inputs, const glm::ivec2&
     shade.set("lit_and_distance", 1);
   }
   gl::draw_full_screen(no_vertices_);
+  glDisable(GL_SCISSOR_TEST);
   return picture_;
 }
 

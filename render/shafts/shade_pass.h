@@ -13,6 +13,13 @@ namespace render {
 // Size of a shaft picture for a view, at 1/divisor of its width and height, rounded up.
 glm::ivec2 shaft_size(const View& view, int divisor);
 
+// The shaft picture's pixels that a technique computes (x, y, width, height), and `margin_px` more around them: those
+// of inputs.region_px, and one more for upsampling.
+glm::ivec4 shaft_region(const ShaftInputs& inputs, const glm::ivec2& size_px, int margin_px);
+
+// Draws reach only that rectangle, until GL_SCISSOR_TEST is disabled.
+void confine_to(const glm::ivec4& region_px);
+
 // Sets what shaders/shafts/ray.glsl and view_depth.glsl need, and binds the depth texture to unit 0.
 void set_ray(const gl::Program& program, const ShaftInputs& inputs, const glm::ivec2& size_px);
 

@@ -17,6 +17,8 @@ struct ShaftInputs {
   const View& view;         // the ideal picture that `depth` belongs to
   GLuint depth = 0;         // ideal depth, view.width x view.height (View says what it means); 0: nothing in view
   const SunShadow& shadow;  // up to date with `scene`
+  // The view's pixels in which the medium may be seen: x, y, width, height. Nothing is computed elsewhere. Empty: all.
+  glm::ivec4 region_px{0};
 };
 
 // RGBA16F: rgb = in-scattered luminance_rgb * exposure, a = transmittance, row 0 at the top. A pixel of it looks along

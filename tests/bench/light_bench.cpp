@@ -11,6 +11,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <vector>
 
+#include "render/plan/screen_region.h"
 #include "tests/golden/light/light_rig.h"
 
 namespace render::test {
@@ -183,7 +184,12 @@ TEST(LightBench, MarchOfTheDemoAt1280x720) {
   LightRig& r = rig();
   r.shadow.update(scene, view, 2048, r.models);
   const ObjectsPicture& picture = r.objects.draw(scene, view, r.shadow, r.models);
-  const ShaftInputs inputs{.scene = scene, .view = view, .depth = picture.depth, .shadow = r.shadow};
+  const PixelRect seen = medium_region(view, *scene.medium);
+  const ShaftInputs inputs{.scene = scene,
+                           .view = view,
+                           .depth = picture.depth,
+                           .shadow = r.shadow,
+                           .region_px = {seen.x, seen.y, seen.width, seen.height}};
   for (const int divisor : {2, 3}) {
     const auto fine = make_shaft_technique({.technique = "march", .steps = 1024, .divisor = divisor});
     const ShaftPicture& truth_picture = fine->draw(inputs);
