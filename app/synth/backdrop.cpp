@@ -26,12 +26,25 @@ float ring_noise(float azimuth, float features, int octaves, std::uint32_t seed)
 
 }  // namespace
 
-Backdrop::Backdrop(const Spec& spec, const Light& light) {
+Backdrop::Backdrop(const Spec& spec, const Light& light, const Gaze& gaze) {
+  find_seen_columns(gaze);
   bake_sky(spec, light);
   if (spec.horizon) {
     bake_hills(spec, light);
     bake_meadow(spec, light);
     bake_trees(spec, light);
+  }
+}
+
+void Backdrop::find_seen_columns(const Gaze& gaze) {
+  constexpr int kStrip = 64;
+  seen_.assign(kWidth, 0);
+  for (int x = 0; x < kWidth; x += kStrip) {
+    const float azimuth = 2.0F * kPi * (static_cast<float>(x) + 0.5F * kStrip) / kWidth;
+    bool seen = false;
+    for (float elevation = 0.0F; elevation < 0.75F; elevation += 0.1F)  // -2 to 38 degrees
+      seen = seen || gaze.sees_far(direction_of(azimuth, elevation), 0.1F);
+    std::fill_n(seen_.begin() + x, kStrip, static_cast<std::uint8_t>(seen));
   }
 }
 
@@ -64,6 +77,7 @@ void Backdrop::bake_sky(const Spec& spec, const Light& light) {
   parallel_for(kHeight, [&](int y) {
     const float elevation = static_cast<float>(y - kBelow) * 2.0F * kPi / kWidth;
     for (int x = 0; x < kWidth; ++x) {
+      if (seen_[static_cast<std::size_t>(x)] == 0) continue;
       const float azimuth = 2.0F * kPi * (static_cast<float>(x) + 0.5F) / kWidth;
       glm::vec3 radiance = sky(azimuth, std::max(elevation, 0.0F));
       if (cover > 0.0F && elevation > 0.01F) {  // cirrus: a thin sheet seen along its slant
@@ -97,6 +111,7 @@ void Backdrop::bake_hills(const Spec& spec, const Light& light) {
     ++seed;
     const float clear = std::exp(-2.2F * ridge.distance_m / visibility_m);
     parallel_for(kWidth, [&](int x) {
+      if (seen_[static_cast<std::size_t>(x)] == 0) return;
       const float azimuth = 2.0F * kPi * (static_cast<float>(x) + 0.5F) / kWidth;
       const float rise = ring_noise(azimuth, ridge.features, ridge.octaves, seed);
       const float bush = ring_noise(azimuth, 1400.0F, 3, seed + 50U) - 0.5F;
@@ -129,6 +144,7 @@ void Backdrop::bake_meadow(const Spec& spec, const Light& light) {
     const float down = (static_cast<float>(kBelow - y) - 0.5F) * 2.0F * kPi / kWidth;
     const float distance_m = std::min(1.6F / down, 400.0F);
     for (int x = 0; x < kWidth; ++x) {
+      if (seen_[static_cast<std::size_t>(x)] == 0) continue;
       const float azimuth = 2.0F * kPi * (static_cast<float>(x) + 0.5F) / kWidth;
       const glm::vec2 at = glm::vec2(std::sin(azimuth), std::cos(azimuth)) * distance_m;
       const float dry = fractal_noise(at * 0.05F, 4, spec.seed + 650U);
@@ -149,16 +165,6 @@ void Backdrop::bake_trees(const Spec& spec, const Light& light) {
   const int count = 340;
   for (int sector = 0; sector < kSectors; ++sector) {  // light falls differently on trees in different directions
     const float middle = 2.0F * kPi * (static_cast<float>(sector) + 0.5F) / kSectors;
-    std::array<Painting, kKinds> kinds;
-    parallel_for(kKinds, [&](int k) {
-      const PlantSpec plant{.kind = k == 3 ? "cypress" : "tree",
-                            .position = {},
-                            .height_m = k == 3 ? 12.0 : 8.0 + k,
-                            .width_m = k == 3 ? 2.6 : 8.5};
-      kinds[static_cast<std::size_t>(k)] =
-          paint_plant(plant, {std::sin(middle), std::cos(middle)}, light, kTexelsPerMetre,
-                      spec.seed + 710U + static_cast<std::uint32_t>(k));
-    });
     struct Stand {
       float azimuth, distance_m;
       int kind;
@@ -172,6 +178,24 @@ void Backdrop::bake_trees(const Spec& spec, const Light& light) {
       stands.push_back({azimuth, random.between(62.0F, 170.0F),
                         random.next() < 0.16F ? 3 : static_cast<int>(random.next() * 3.0F), random.next() < 0.5F});
     }
+    const auto in_sight = [&](int column) { return seen_[static_cast<std::size_t>((column + kWidth) % kWidth)] != 0; };
+    const auto column_at = [](float azimuth) { return static_cast<int>(azimuth / (2.0F * kPi) * kWidth); };
+    constexpr int kHalfTree = 120;  // columns, of the widest and nearest
+    std::erase_if(stands, [&](const Stand& stand) {
+      const int column = column_at(stand.azimuth);
+      return !in_sight(column - kHalfTree) && !in_sight(column) && !in_sight(column + kHalfTree);
+    });
+    if (stands.empty()) continue;
+    std::array<Painting, kKinds> kinds;
+    parallel_for(kKinds, [&](int k) {
+      const PlantSpec plant{.kind = k == 3 ? "cypress" : "tree",
+                            .position = {},
+                            .height_m = k == 3 ? 12.0 : 8.0 + k,
+                            .width_m = k == 3 ? 2.6 : 8.5};
+      kinds[static_cast<std::size_t>(k)] =
+          paint_plant(plant, {std::sin(middle), std::cos(middle)}, light, kTexelsPerMetre,
+                      spec.seed + 710U + static_cast<std::uint32_t>(k));
+    });
     std::sort(stands.begin(), stands.end(), [](const Stand& a, const Stand& b) { return a.distance_m > b.distance_m; });
     const glm::vec3 air = sky(middle, 0.03F) * 0.85F;
     for (const Stand& stand : stands) {
@@ -182,7 +206,7 @@ void Backdrop::bake_trees(const Spec& spec, const Light& light) {
       const float foot = static_cast<float>(kBelow) - 1.6F / stand.distance_m * kWidth / (2.0F * kPi);
       const int wide = static_cast<int>(static_cast<float>(tree.width) / scale);
       const int tall = static_cast<int>(static_cast<float>(tree.height) / scale);
-      const int left = static_cast<int>(stand.azimuth / (2.0F * kPi) * kWidth) - wide / 2;
+      const int left = column_at(stand.azimuth) - wide / 2;
       for (int y = 0; y < tall; ++y) {
         const int row = static_cast<int>(foot) + y;
         if (row < 0 || row >= kHeight) continue;
@@ -205,14 +229,14 @@ glm::vec3 Backdrop::luminance(const glm::vec3& direction) const {
   const float y = elevation * kWidth / (2.0F * kPi) + kBelow;
   if (panorama_.empty() || y >= kHeight - 1) return sky(azimuth, elevation);
   const float x = azimuth / (2.0F * kPi) * kWidth - 0.5F + kWidth;
-  const float xf = std::floor(x);
+  const int column = floor_of(x);
   const float yc = std::max(y, 0.0F);
-  const int x0 = static_cast<int>(xf) % kWidth;
+  const int x0 = column % kWidth;
   const int x1 = (x0 + 1) % kWidth;
   const int y0 = static_cast<int>(yc);
-  const float fx = x - xf;
+  const float fx = x - static_cast<float>(column);
   const float fy = yc - static_cast<float>(y0);
-  const auto at = [&](int column, int row) { return panorama_[static_cast<std::size_t>(row * kWidth + column)]; };
+  const auto at = [&](int across, int row) { return panorama_[static_cast<std::size_t>(row * kWidth + across)]; };
   return glm::mix(glm::mix(at(x0, y0), at(x1, y0), fx), glm::mix(at(x0, y0 + 1), at(x1, y0 + 1), fx), fy);
 }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "app/synth/film.h"
+#include "app/synth/gaze.h"
 #include "app/synth/path.h"
 #include "app/synth/raycast.h"
 #include "app/synth/truth.h"
@@ -70,7 +71,7 @@ int write_clip(const Spec& spec, const std::filesystem::path& clip, const ClipOp
   const CameraPath path(spec.path, spec.time_of_frame_s(spec.frames - 1), spec.seed);
   const ar::Rigid3 start = path.world_from_camera(0.5 * spec.time_of_frame_s(spec.frames - 1));
   const glm::vec3 eye(start.translation[0], start.translation[1], start.translation[2]);
-  const World world(spec, eye, focus_of(start));
+  const World world(spec, eye, focus_of(start), Gaze(spec, path));
   spdlog::info("sun at azimuth {:.1f}, elevation {:.1f} degrees; exposure {:.4g} per cd/m2",
                glm::degrees(world.light().sun().azimuth_rad), glm::degrees(world.light().sun().elevation_rad),
                world.light().exposure());

@@ -22,7 +22,7 @@ inline std::uint32_t hash_cell(int x, int y, std::uint32_t seed) {
 
 // 24 bits as a number in [0, 1).
 inline float unit_float(std::uint32_t bits) {
-  return static_cast<float>(bits >> 8) * (1.0F / 16777216.0F);
+  return static_cast<float>(static_cast<std::int32_t>(bits >> 8)) * (1.0F / 16777216.0F);
 }
 
 // A small generator for one pixel, leaf or row.
@@ -42,6 +42,12 @@ class Random {
   std::uint32_t state_;
 };
 
+// The next integer below or at x, |x| < 2^31; the library's floor is a call where the processor's is not used.
+inline int floor_of(float x) {
+  const int towards_zero = static_cast<int>(x);
+  return towards_zero - (x < static_cast<float>(towards_zero) ? 1 : 0);
+}
+
 inline float smooth_ramp(float from, float to, float x) {
   const float t = glm::clamp((x - from) / (to - from), 0.0F, 1.0F);
   return t * t * (3.0F - 2.0F * t);
@@ -49,15 +55,18 @@ inline float smooth_ramp(float from, float to, float x) {
 
 // Smooth random field over the plane with features of size 1, values in [0, 1] (value noise, quintic fade).
 inline float value_noise(glm::vec2 p, std::uint32_t seed) {
-  const glm::vec2 cell = glm::floor(p);
-  const glm::vec2 f = p - cell;
+  const int x = floor_of(p.x);
+  const int y = floor_of(p.y);
+  const glm::vec2 f = p - glm::vec2(x, y);
   const glm::vec2 u = f * f * f * (f * (f * 6.0F - 15.0F) + 10.0F);
-  const int x = static_cast<int>(cell.x);
-  const int y = static_cast<int>(cell.y);
-  const float a = unit_float(hash_cell(x, y, seed));
-  const float b = unit_float(hash_cell(x + 1, y, seed));
-  const float c = unit_float(hash_cell(x, y + 1, seed));
-  const float d = unit_float(hash_cell(x + 1, y + 1, seed));
+  const std::uint32_t west = static_cast<std::uint32_t>(x) * 0x9e3779b1U;  // hash_cell's parts, shared by the four
+  const std::uint32_t east = west + 0x9e3779b1U;
+  const std::uint32_t south = mix_bits(static_cast<std::uint32_t>(y) + seed);
+  const std::uint32_t north = mix_bits(static_cast<std::uint32_t>(y) + 1U + seed);
+  const float a = unit_float(mix_bits(west ^ south));
+  const float b = unit_float(mix_bits(east ^ south));
+  const float c = unit_float(mix_bits(west ^ north));
+  const float d = unit_float(mix_bits(east ^ north));
   return glm::mix(glm::mix(a, b, u.x), glm::mix(c, d, u.x), u.y);
 }
 

@@ -321,14 +321,13 @@ void Painting::build_levels() {
 
 glm::vec4 Painting::bilinear(glm::vec2 uv) const {
   const glm::vec2 at = uv * glm::vec2(width, height) - 0.5F;
-  const glm::vec2 base = glm::floor(at);
-  const glm::vec2 f = at - base;
-  const auto texel = [&](int x, int y) {
-    if (x < 0 || y < 0 || x >= width || y >= height) return glm::vec4(0.0F);
-    return texels[static_cast<std::size_t>(y * width + x)];
+  const int x = floor_of(at.x);
+  const int y = floor_of(at.y);
+  const glm::vec2 f = at - glm::vec2(x, y);
+  const auto texel = [&](int column, int row) {
+    if (column < 0 || row < 0 || column >= width || row >= height) return glm::vec4(0.0F);
+    return texels[static_cast<std::size_t>(row * width + column)];
   };
-  const int x = static_cast<int>(base.x);
-  const int y = static_cast<int>(base.y);
   return glm::mix(glm::mix(texel(x, y), texel(x + 1, y), f.x), glm::mix(texel(x, y + 1), texel(x + 1, y + 1), f.x),
                   f.y);
 }

@@ -149,53 +149,82 @@ void RayCaster::render_tile(const Shot& shot, int tile_x, int tile_y, LinearFram
           pixel(shot, x, y, among);
 }
 
-Radiance RayCaster::sample(const Shot& shot, float u, float v, std::size_t time_slice, float spread_rad,
+Radiance RayCaster::sample(const Shot& shot, float u, float v, std::size_t time_slice, const RayFilter& filter,
                            const Candidates& among, Random& random) const {
   const glm::vec2 ideal = lens_.ideal(u, v);
   if (!std::isfinite(ideal.x)) return {};
   const glm::vec3 direction = glm::normalize(shot.world_from_camera[time_slice] * glm::vec3(ideal, 1.0F));
-  return world_.trace(shot.eye[time_slice], direction, spread_rad, among, random);
+  return world_.trace(shot.eye[time_slice], direction, filter, among, random);
 }
 
-// A few samples first; where they differ, or a tag is seen, all of them anew. The first ones are then thrown away:
-// deciding by a sample and keeping it would favour what made the decision.
+namespace {
+
+// What a pixel's first samples have in common.
+class Agreement {
+ public:
+  void add(const Radiance& seen, float level) {
+    if (level_low_ > level_high_) thing_ = seen.thing;
+    one_thing_ = one_thing_ && seen.thing == thing_;
+    tag_ = tag_ || seen.tag;
+    level_low_ = std::min(level_low_, level);
+    level_high_ = std::max(level_high_, level);
+    sun_low_ = std::min(sun_low_, seen.sun_share);
+    sun_high_ = std::max(sun_high_, seen.sun_share);
+  }
+  // Whether they will do: each is filtered over its own share of the pixel, so what differs within one evenly lit thing
+  // is texture and already right; edges of things and of shadows are points on one side or the other.
+  bool suffices() const {
+    constexpr float kCalm = 0.06F;
+    constexpr float kTexture = 0.16F;  // coarser than that, the texture is seen too slantwise for the filter's circle
+    constexpr float kEvenSun = 0.2F;
+    const bool even = one_thing_ && sun_high_ - sun_low_ < kEvenSun;
+    return !tag_ && level_high_ - level_low_ < (even ? kTexture : kCalm);
+  }
+
+ private:
+  int thing_ = -1;
+  bool one_thing_ = true;
+  bool tag_ = false;
+  float level_low_ = 1e9F, level_high_ = -1e9F;
+  float sun_low_ = 1e9F, sun_high_ = -1e9F;
+};
+
+}  // namespace
+
+// A few samples first, in the middles of their strata; where they disagree, or a tag is seen, all of them anew,
+// anywhere in theirs. The first ones are then thrown away: deciding by a sample and keeping it would favour what
+// decided.
 glm::vec3 RayCaster::pixel(const Shot& shot, int x, int y, const Candidates& among) const {
   Random random(hash_cell(x, y, shot.seed));
   const std::size_t slices = shot.eye.size();
-  const auto gather = [&](int side, float& contrast, bool& tag) {
+  const auto gather = [&](int side, bool scattered, Agreement& agreement) {
     const int count = side * side;
     const int shift = static_cast<int>(random.next() * static_cast<float>(count));
     const float spread = pixel_rad_ / static_cast<float>(side);
     glm::vec3 sum(0.0F);
-    float low = 1e9F;
-    float high = -1e9F;
     for (int i = 0; i < count; ++i) {
       const auto offset = [&](int stratum) {
-        const float place = (static_cast<float>(stratum) + random.next()) / static_cast<float>(side);
+        const float within = scattered ? random.next() : 0.5F;
+        const float place = (static_cast<float>(stratum) + within) / static_cast<float>(side);
         return inside_[std::min(static_cast<std::size_t>(place * kOffsets), kOffsets - 1)];
       };
       const float u = static_cast<float>(x) + 0.5F + offset(i % side);
       const float v = static_cast<float>(y) + 0.5F + offset(i / side);
       const int turn = (i * 7 + shift) % count;  // each stratum of time once, in another order in each pixel
-      const auto slice = static_cast<std::size_t>((static_cast<float>(turn) + random.next()) *
-                                                  static_cast<float>(slices) / static_cast<float>(count));
-      const Radiance seen = sample(shot, u, v, std::min(slice, slices - 1), spread, among, random);
+      const float instant = (static_cast<float>(turn) + random.next()) / static_cast<float>(count);
+      const auto slice = static_cast<std::size_t>(instant * static_cast<float>(slices));
+      const RayFilter filter{spread, (static_cast<float>((i * 3 + shift) % count) + 0.5F) / static_cast<float>(count)};
+      const Radiance seen = sample(shot, u, v, std::min(slice, slices - 1), filter, among, random);
       const glm::vec3 light = seen.luminance_rgb * exposure_;
       sum += light;
-      tag = tag || seen.tag;
-      const float level = brightness(light);
-      low = std::min(low, level);
-      high = std::max(high, level);
+      agreement.add(seen, brightness(light));
     }
-    contrast = high - low;
     return sum / static_cast<float>(count);
   };
-  float contrast = 0.0F;
-  bool tag = false;
-  const glm::vec3 first = gather(kFirstStrata, contrast, tag);
-  constexpr float kCalm = 0.06F;
-  if (strata_ == kFirstStrata || (!tag && contrast < kCalm)) return first;
-  return gather(strata_, contrast, tag);
+  Agreement agreement;
+  const glm::vec3 first = gather(kFirstStrata, strata_ == kFirstStrata, agreement);
+  if (strata_ == kFirstStrata || agreement.suffices()) return first;
+  return gather(strata_, true, agreement);
 }
 
 }  // namespace app::synth

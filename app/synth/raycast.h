@@ -38,8 +38,8 @@ class RayCaster {
   struct Shot;  // where the camera is over one shutter time
   void render_tile(const Shot& shot, int tile_x, int tile_y, LinearFrame& out) const;
   glm::vec3 pixel(const Shot& shot, int x, int y, const Candidates& among) const;
-  Radiance sample(const Shot& shot, float u, float v, std::size_t time_slice, float spread_rad, const Candidates& among,
-                  Random& random) const;
+  Radiance sample(const Shot& shot, float u, float v, std::size_t time_slice, const RayFilter& filter,
+                  const Candidates& among, Random& random) const;
 
   const Spec& spec_;
   const World& world_;

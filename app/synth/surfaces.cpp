@@ -35,31 +35,49 @@ glm::vec2 stone_point(glm::ivec2 cell, std::uint32_t seed) {
   return glm::vec2(cell) + 0.5F + 0.86F * (glm::vec2(unit_float(h), unit_float(mix_bits(h))) - 0.5F);
 }
 
-Stone find_stone(glm::vec2 p, std::uint32_t seed) {
-  const glm::ivec2 home(glm::floor(p));
-  Stone stone;
-  float nearest = 1e9F;
+// The points of the cells about one cell. Neighbouring texels mostly ask for the same ones.
+struct StonePoints {
+  glm::ivec2 home{0};
+  std::uint32_t seed = 0;
+  bool known = false;
   std::array<glm::vec2, 25> points;
-  std::size_t n = 0;
-  for (int y = -2; y <= 2; ++y) {
-    for (int x = -2; x <= 2; ++x) {
-      const glm::ivec2 cell = home + glm::ivec2(x, y);
-      const glm::vec2 q = stone_point(cell, seed);
-      points[n++] = q;
-      const float d = glm::dot(q - p, q - p);
-      if (d < nearest) {
-        nearest = d;
-        stone.cell = cell;
-        stone.centre = q;
-      }
+
+  void look_up(glm::ivec2 cell, std::uint32_t cell_seed) {
+    if (known && home == cell && seed == cell_seed) return;
+    home = cell;
+    seed = cell_seed;
+    known = true;
+    for (int i = 0; i < 25; ++i)
+      points[static_cast<std::size_t>(i)] = stone_point(cell + glm::ivec2(i % 5 - 2, i / 5 - 2), cell_seed);
+  }
+};
+
+Stone find_stone(glm::vec2 p, std::uint32_t seed) {
+  thread_local StonePoints about;
+  const glm::ivec2 home(floor_of(p.x), floor_of(p.y));
+  about.look_up(home, seed);
+  int nearest = 0;
+  float nearest2 = 1e9F;
+  for (int i = 0; i < 25; ++i) {
+    const glm::vec2 to = about.points[static_cast<std::size_t>(i)] - p;
+    const float d2 = glm::dot(to, to);
+    if (d2 < nearest2) {
+      nearest2 = d2;
+      nearest = i;
     }
   }
+  Stone stone;
+  stone.cell = home + glm::ivec2(nearest % 5 - 2, nearest / 5 - 2);
+  stone.centre = about.points[static_cast<std::size_t>(nearest)];
   stone.border = 1e9F;
-  for (const glm::vec2& q : points) {
+  for (int i = 0; i < 25; ++i) {
+    if (i == nearest) continue;
+    const glm::vec2 q = about.points[static_cast<std::size_t>(i)];
     const glm::vec2 across = q - stone.centre;
-    const float length = glm::length(across);
-    if (length < 1e-4F) continue;
-    stone.border = std::min(stone.border, glm::dot(0.5F * (q + stone.centre) - p, across / length));
+    const float to_middle = glm::dot(0.5F * (q + stone.centre) - p, across);  // times the length of `across`
+    const float length2 = glm::dot(across, across);
+    if (to_middle * to_middle < stone.border * stone.border * length2)
+      stone.border = std::max(to_middle, 0.0F) / std::sqrt(length2);
   }
   return stone;
 }
@@ -88,7 +106,7 @@ Relief lawn(glm::vec2 p, std::uint32_t seed) {
   Relief r;
   r.albedo = green * (0.55F + 0.9F * blade);
   r.height_m = 0.030F * height + 0.012F * blade;
-  const glm::ivec2 cell(glm::floor(p * 9.0F));
+  const glm::ivec2 cell(floor_of(p.x * 9.0F), floor_of(p.y * 9.0F));
   const std::uint32_t h = hash_cell(cell.x, cell.y, seed + 16U);
   if (unit_float(h) > 0.985F && clump > 0.52F) {  // a daisy
     const glm::vec2 centre = (glm::vec2(cell) + 0.5F) / 9.0F;
@@ -356,13 +374,22 @@ Texture finish(int size, float metres, const std::vector<Relief>& reliefs, const
   return {size, metres, points};
 }
 
-template <typename Field>
-std::vector<Relief> fill(int size, float metres, Field&& field) {
+// A square field of `size` texels a side, in blocks; one that is not `wanted` (its middle, its radius) is of one piece.
+template <typename Field, typename Wanted>
+std::vector<Relief> fill(int size, float metres, Field&& field, Wanted&& wanted) {
   std::vector<Relief> reliefs(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-  parallel_for(size, [&](int y) {
-    for (int x = 0; x < size; ++x) {
-      const glm::vec2 p = (glm::vec2(x, y) + 0.5F) * (metres / static_cast<float>(size));
-      reliefs[static_cast<std::size_t>(y * size + x)] = field(p);
+  const float texel = metres / static_cast<float>(size);
+  const int side = std::min(size, 32);
+  const int blocks = size / side;
+  parallel_for(blocks * blocks, [&](int block) {
+    const glm::ivec2 first = side * glm::ivec2(block % blocks, block / blocks);
+    const float width = static_cast<float>(side) * texel;
+    const glm::vec2 middle = glm::vec2(first) * texel + 0.5F * width;
+    const bool fine = wanted(middle, width);
+    const Relief flat = fine ? Relief() : field(middle);
+    for (int y = first.y; y < first.y + side; ++y) {
+      for (int x = first.x; x < first.x + side; ++x)
+        reliefs[static_cast<std::size_t>(y * size + x)] = fine ? field((glm::vec2(x, y) + 0.5F) * texel) : flat;
     }
   });
   return reliefs;
@@ -384,6 +411,10 @@ Relief seamless(glm::vec2 p, float side, Field&& field) {
   return r;
 }
 
+bool everywhere(const glm::vec2& /*middle*/, float /*reach*/) {
+  return true;
+}
+
 }  // namespace
 
 const std::vector<std::string>& ground_surfaces() {
@@ -397,31 +428,41 @@ const std::vector<std::string>& box_surfaces() {
 }
 
 GroundTextures bake_ground(const GroundSpec& ground, const glm::vec2& eye, const glm::vec2& focus,
-                           const glm::vec3& sun_direction, std::uint32_t seed) {
+                           const glm::vec3& sun_direction, const Gaze& gaze, std::uint32_t seed) {
   const bool even = ground.surface == "plain" && ground.around == "plain";  // nothing to resolve
   const int size = even ? 16 : 2048;
   const int around_size = even ? 16 : 1024;
   constexpr float kAroundMetres = 8.0F;
   GroundTextures textures;
+  constexpr float kFineMetres = 7.168F;     // 3.5 mm a texel
+  constexpr float kCoarseMetres = 18.432F;  // 9 mm
+  const glm::vec2 ahead = focus == eye ? glm::vec2(0.0F) : glm::normalize(focus - eye);
+  const glm::vec2 fine_middle = eye + 4.6F * ahead;
   const auto bake = [&](float metres, const glm::vec2& middle) {
     const glm::vec2 origin = middle - 0.5F * metres;
+    const auto wanted = [&](const glm::vec2& at, float reach) {
+      const glm::vec2 inside = 0.5F * kFineMetres - glm::abs(origin + at - fine_middle);
+      const bool hidden = metres > kFineMetres && std::min(inside.x, inside.y) > 2.0F * reach;  // the fine part has it
+      return !hidden && gaze.sees(glm::vec3(origin + at, 0.0F), reach);
+    };
     const auto field = [&](glm::vec2 p) { return ground_relief(ground, origin + p, seed); };
-    return GroundTextures::Part{finish(size, metres, fill(size, metres, field), sun_direction), origin};
+    return GroundTextures::Part{finish(size, metres, fill(size, metres, field, wanted), sun_direction), origin};
   };
-  const glm::vec2 ahead = focus == eye ? glm::vec2(0.0F) : glm::normalize(focus - eye);
-  textures.parts = {bake(7.168F, eye + 4.6F * ahead), bake(18.432F, focus)};  // 3.5 mm and 9 mm a texel
+  textures.parts = {bake(kFineMetres, fine_middle), bake(kCoarseMetres, focus)};
   const std::string& around = ground.extent[2] - ground.extent[0] > 1e3 ? ground.surface : ground.around;
   const auto field = [&](glm::vec2 p) {
     return seamless(p, kAroundMetres, [&](glm::vec2 q) { return simple_ground(around, q, seed); });
   };
-  textures.around = finish(around_size, kAroundMetres, fill(around_size, kAroundMetres, field), sun_direction);
+  textures.around =
+      finish(around_size, kAroundMetres, fill(around_size, kAroundMetres, field, everywhere), sun_direction);
   return textures;
 }
 
 Texture bake_box_surface(const std::string& surface, std::uint32_t seed) {
   constexpr int kSize = 1024;
   constexpr float kMetres = 8.192F;
-  return finish(kSize, kMetres, fill(kSize, kMetres, [&](glm::vec2 p) { return box_relief(surface, p, seed); }), {});
+  const auto field = [&](glm::vec2 p) { return box_relief(surface, p, seed); };
+  return finish(kSize, kMetres, fill(kSize, kMetres, field, everywhere), {});
 }
 
 }  // namespace app::synth

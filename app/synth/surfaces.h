@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/synth/gaze.h"
 #include "app/synth/spec.h"
 #include "app/synth/texture.h"
 
@@ -15,6 +16,7 @@ const std::vector<std::string>& box_surfaces();
 
 // The ground near the scene in two parts, fine before the eye and coarser about it; the surface within the extent, the
 // surrounding one beyond, with the border between stones and grass as it grows. The relief shades itself from the sun.
+// What `gaze` never sees is left without detail.
 struct GroundTextures {
   struct Part {
     Texture texture;
@@ -24,7 +26,7 @@ struct GroundTextures {
   Texture around;             // repeats beyond
 };
 GroundTextures bake_ground(const GroundSpec& ground, const glm::vec2& eye, const glm::vec2& focus,
-                           const glm::vec3& sun_direction, std::uint32_t seed);
+                           const glm::vec3& sun_direction, const Gaze& gaze, std::uint32_t seed);
 
 // A wall's or block's surface, (u, v) in metres with v up.
 Texture bake_box_surface(const std::string& surface, std::uint32_t seed);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/synth/noise.h"
 #include "app/synth/parallel.h"
 
 namespace app::synth {
@@ -11,7 +12,7 @@ namespace {
 constexpr float kMaxSlope = 1.6F;
 
 std::uint8_t byte(float x) {
-  return static_cast<std::uint8_t>(std::lround(std::clamp(x, 0.0F, 1.0F) * 255.0F));
+  return static_cast<std::uint8_t>(std::clamp(x, 0.0F, 1.0F) * 255.0F + 0.5F);
 }
 
 SurfacePoint mean(const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c, const SurfacePoint& d) {
@@ -63,10 +64,11 @@ SurfacePoint Texture::sample(glm::vec2 uv_m, float footprint_m, float dither) co
   const Level& level = levels_[index];
   const int mask = level.size - 1;
   const glm::vec2 at = uv_m / metres_ * static_cast<float>(level.size) - 0.5F;
-  const glm::vec2 base = glm::floor(at);
-  const glm::vec2 f = at - base;
-  const int x0 = static_cast<int>(base.x) & mask;
-  const int y0 = static_cast<int>(base.y) & mask;
+  const int column = floor_of(at.x);
+  const int row = floor_of(at.y);
+  const glm::vec2 f = at - glm::vec2(column, row);
+  const int x0 = column & mask;
+  const int y0 = row & mask;
   const int x1 = (x0 + 1) & mask;
   const int y1 = (y0 + 1) & mask;
   const Texel* const row0 = level.texels.data() + static_cast<std::ptrdiff_t>(y0) * level.size;

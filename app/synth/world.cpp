@@ -36,11 +36,11 @@ bool in_cone(const glm::vec3& apex, const glm::vec3& axis, float half_angle_rad,
 
 }  // namespace
 
-World::World(const Spec& spec, const glm::vec3& eye, const glm::vec3& focus)
+World::World(const Spec& spec, const glm::vec3& eye, const glm::vec3& focus, const Gaze& gaze)
     : light_(spec),
-      ground_(bake_ground(spec.ground, glm::vec2(eye), glm::vec2(focus), light_.sun_direction(), spec.seed)),
+      ground_(bake_ground(spec.ground, glm::vec2(eye), glm::vec2(focus), light_.sun_direction(), gaze, spec.seed)),
       seed_(spec.seed),
-      backdrop_(spec, light_) {
+      backdrop_(spec, light_, gaze) {
   add_boxes(spec);
   add_tags(spec);
   add_plants(spec, eye);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/synth/backdrop.h"
+#include "app/synth/gaze.h"
 #include "app/synth/light.h"
 #include "app/synth/noise.h"
 #include "app/synth/plants.h"
@@ -26,20 +27,29 @@ struct Candidates {
 
 struct Radiance {
   glm::vec3 luminance_rgb{0.0F};  // cd/m2
-  bool tag = false;               // the ray ended on a tag's board
+  float sun_share = 0.0F;         // of the sun's disc seen from where the ray ended
+  int thing = -1;                 // what it ended on; samples of one thing differ by its texture and its shadows alone
+  bool tag = false;               // that is a printed tag
+};
+
+// How a ray sees textures.
+struct RayFilter {
+  float spread_rad = 0.0F;  // its share of a pixel
+  float dither = 0.5F;      // rounds mip levels up or down, in [0, 1): to be spread evenly over a pixel's rays
 };
 
 // The real world of a clip: level ground, boxes, printed tags, plants, far things; one sun, one sky.
 class World {
  public:
-  // `focus`: the middle of what the camera sees on the ground; `eye`: about where it stands.
-  World(const Spec& spec, const glm::vec3& eye, const glm::vec3& focus);
+  // `focus`: the middle of what the camera sees on the ground; `eye`: about where it stands; `gaze`: what may be seen,
+  // as detail is left out elsewhere.
+  World(const Spec& spec, const glm::vec3& eye, const glm::vec3& focus, const Gaze& gaze = Gaze());
 
   const Light& light() const { return light_; }
   // Things within a cone: apex, unit axis and half angle (cosine and sine).
   void candidates(const glm::vec3& apex, const glm::vec3& axis, float half_angle_rad, Candidates& found) const;
-  // Light along a ray. `spread_rad`: the ray's share of a pixel, for filtering textures.
-  Radiance trace(const glm::vec3& origin, const glm::vec3& direction, float spread_rad, const Candidates& among,
+  // Light along a ray.
+  Radiance trace(const glm::vec3& origin, const glm::vec3& direction, const RayFilter& filter, const Candidates& among,
                  Random& random) const;
   // Share of the sun's disc seen from there, one point of the disc a call.
   float sun_seen(const glm::vec3& point, Random& random) const;
@@ -73,13 +83,13 @@ class World {
   static bool hit_block(const Block& block, const glm::vec3& origin, const glm::vec3& direction, float& t,
                         glm::vec3& normal_local);
   bool hit_card(const Card& card, const glm::vec3& origin, const glm::vec3& direction, float& t, glm::vec2& uv) const;
-  glm::vec3 shade(const SurfacePoint& surface, const glm::mat3& frame, const glm::vec3& point, const glm::vec3& to_eye,
-                  float sky_open, Random& random) const;
-  glm::vec3 shade_ground(const glm::vec3& point, const glm::vec3& direction, float t, float spread_rad,
-                         Random& random) const;
-  glm::vec3 shade_block(const Block& block, const glm::vec3& point, const glm::vec3& normal_local,
-                        const glm::vec3& direction, float footprint_m, Random& random) const;
-  glm::vec3 shade_tag(const PrintedTag& tag, const glm::vec3& point, Random& random) const;
+  Radiance shade(const SurfacePoint& surface, const glm::mat3& frame, const glm::vec3& point, const glm::vec3& to_eye,
+                 float sky_open, Random& random) const;
+  Radiance shade_ground(const glm::vec3& point, const glm::vec3& direction, float t, const RayFilter& filter,
+                        Random& random) const;
+  Radiance shade_block(const Block& block, const glm::vec3& point, const glm::vec3& normal_local,
+                       const glm::vec3& direction, float t, const RayFilter& filter, Random& random) const;
+  Radiance shade_tag(const PrintedTag& tag, const glm::vec3& point, Random& random) const;
   float sky_open_at(const glm::vec3& point, const glm::vec3& normal) const;
 
   Light light_;

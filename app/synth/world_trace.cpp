@@ -27,6 +27,11 @@ FaceFrame face_frame(const glm::vec3& local, const glm::vec3& half, const glm::v
   return {{local.x + kMiddle, local.y + kMiddle}, {x, y, normal}};
 }
 
+// 0 to 5; `normal` is along an axis of the block.
+int face_number(const glm::vec3& normal) {
+  return static_cast<int>(normal.x + 2.0F * normal.y + 3.0F * normal.z) + 3;
+}
+
 }  // namespace
 
 // Slab test (Kay & Kajiya 1986) in the block's axes; nearest entry closer than `t`.
@@ -92,8 +97,8 @@ float World::sun_seen(const glm::vec3& point, Random& random) const {
 }
 
 // Lambert under sun and sky, and a faint rough mirror (Blinn-Phong lobe with Schlick's Fresnel) for worn stone.
-glm::vec3 World::shade(const SurfacePoint& surface, const glm::mat3& frame, const glm::vec3& point,
-                       const glm::vec3& to_eye, float sky_open, Random& random) const {
+Radiance World::shade(const SurfacePoint& surface, const glm::mat3& frame, const glm::vec3& point,
+                      const glm::vec3& to_eye, float sky_open, Random& random) const {
   const glm::vec3 normal = glm::normalize(frame * glm::vec3(surface.slope, 1.0F));
   const float cosine = glm::dot(normal, light_.sun_direction());
   const float above = glm::dot(frame[2], light_.sun_direction());
@@ -117,7 +122,7 @@ glm::vec3 World::shade(const SurfacePoint& surface, const glm::mat3& frame, cons
       out += light_.sun_illuminance() * (surface.gloss * lit * 3.0F * lobe * cosine * fresnel(glm::dot(half, to_eye)));
     out += sky * (0.5F * surface.gloss * fresnel(glm::dot(normal, to_eye) + 0.12F));
   }
-  return out / kPi;
+  return {.luminance_rgb = out / kPi, .sun_share = lit};
 }
 
 float World::sky_open_at(const glm::vec3& point, const glm::vec3& normal) const {
@@ -127,10 +132,10 @@ float World::sky_open_at(const glm::vec3& point, const glm::vec3& normal) const 
   return glm::mix(ground, 1.0F, height) * contact;
 }
 
-glm::vec3 World::shade_ground(const glm::vec3& point, const glm::vec3& direction, float t, float spread_rad,
-                              Random& random) const {
+Radiance World::shade_ground(const glm::vec3& point, const glm::vec3& direction, float t, const RayFilter& filter,
+                             Random& random) const {
   const float slant = std::max(-direction.z, 1e-3F);
-  const float footprint = t * spread_rad / std::sqrt(slant);  // geometric mean of the ellipse's axes
+  const float footprint = t * filter.spread_rad / std::sqrt(slant);  // geometric mean of the ellipse's axes
   const glm::vec2 at(point);
   SurfacePoint surface;
   const auto* const part = std::find_if(ground_.parts.begin(), ground_.parts.end(), [&](const auto& candidate) {
@@ -139,9 +144,9 @@ glm::vec3 World::shade_ground(const glm::vec3& point, const glm::vec3& direction
            local.y < candidate.texture.metres();
   });
   if (part != ground_.parts.end()) {
-    surface = part->texture.sample(at - part->origin, footprint, random.next());
+    surface = part->texture.sample(at - part->origin, footprint, filter.dither);
   } else {  // slow changes of tone hide that it repeats
-    surface = ground_.around.sample(at, footprint, random.next());
+    surface = ground_.around.sample(at, footprint, filter.dither);
     surface.albedo *=
         0.70F + 0.42F * value_noise(at * 0.21F, seed_ + 40U) + 0.21F * value_noise(at * 0.83F, seed_ + 41U);
   }
@@ -149,19 +154,19 @@ glm::vec3 World::shade_ground(const glm::vec3& point, const glm::vec3& direction
   return shade(surface, kLevel, point, -direction, openness(at), random);
 }
 
-glm::vec3 World::shade_block(const Block& block, const glm::vec3& point, const glm::vec3& normal_local,
-                             const glm::vec3& direction, float footprint_m, Random& random) const {
+Radiance World::shade_block(const Block& block, const glm::vec3& point, const glm::vec3& normal_local,
+                            const glm::vec3& direction, float t, const RayFilter& filter, Random& random) const {
   const glm::vec3 local = (point - block.centre) * block.world_from_local;
   const FaceFrame face = face_frame(local, block.half, normal_local);
   const glm::mat3 frame = block.world_from_local * face.local_from_face;
   SurfacePoint surface;
   surface.albedo = glm::vec3(0.55F);
-  if (block.surface != nullptr) surface = block.surface->sample(face.uv, footprint_m, random.next());
+  if (block.surface != nullptr) surface = block.surface->sample(face.uv, t * filter.spread_rad, filter.dither);
   return shade(surface, frame, point, -direction, sky_open_at(point, frame[2]), random);
 }
 
 // Matt paper: its white and its black are those of a laser print.
-glm::vec3 World::shade_tag(const PrintedTag& tag, const glm::vec3& point, Random& random) const {
+Radiance World::shade_tag(const PrintedTag& tag, const glm::vec3& point, Random& random) const {
   const glm::vec3 local = (point - tag.centre) * tag.world_from_tag;
   SurfacePoint surface;
   surface.albedo = glm::vec3(tag.face.is_white(local.x, local.y) ? 0.78F : 0.045F);
@@ -169,8 +174,8 @@ glm::vec3 World::shade_tag(const PrintedTag& tag, const glm::vec3& point, Random
   return shade(surface, frame, point, -frame[2], sky_open_at(point, frame[2]), random);
 }
 
-Radiance World::trace(const glm::vec3& origin, const glm::vec3& direction, float spread_rad, const Candidates& among,
-                      Random& random) const {
+Radiance World::trace(const glm::vec3& origin, const glm::vec3& direction, const RayFilter& filter,
+                      const Candidates& among, Random& random) const {
   enum class Seen { Far, OnGround, OnBlock, OnTag } what = Seen::Far;
   float t = kNever;
   const Block* block = nullptr;
@@ -208,7 +213,7 @@ Radiance World::trace(const glm::vec3& origin, const glm::vec3& direction, float
     float hit = t;
     glm::vec2 uv;
     if (veil_count == veils.size() || !hit_card(cards_[i], origin, direction, hit, uv)) continue;
-    const glm::vec4 leaves = cards_[i].painting->sample(uv, hit * spread_rad * cards_[i].texels_per_m);
+    const glm::vec4 leaves = cards_[i].painting->sample(uv, hit * filter.spread_rad * cards_[i].texels_per_m);
     if (leaves.a <= 0.0F) continue;
     std::size_t place = veil_count++;  // near ones first
     for (; place > 0 && veils[place - 1].t > hit; --place) veils[place] = veils[place - 1];
@@ -222,24 +227,26 @@ Radiance World::trace(const glm::vec3& origin, const glm::vec3& direction, float
   }
   if (through < 0.003F) return out;
   const glm::vec3 point = origin + direction * std::min(t, 1e4F);
-  glm::vec3 behind(0.0F);
+  Radiance behind;
   switch (what) {
     case Seen::Far:
-      behind = backdrop_.luminance(direction);
+      behind.luminance_rgb = backdrop_.luminance(direction);
       break;
     case Seen::OnGround:
-      behind = shade_ground(point, direction, t, spread_rad, random);
+      behind = shade_ground(point, direction, t, filter, random);
+      behind.thing = 0;
       break;
     case Seen::OnBlock:
-      behind = shade_block(*block, point, normal_local, direction, t * spread_rad, random);
+      behind = shade_block(*block, point, normal_local, direction, t, filter, random);
+      behind.thing = 1 + 8 * static_cast<int>(block - blocks_.data()) + face_number(normal_local);
       break;
     case Seen::OnTag:
       behind = shade_tag(*tag, point, random);
       break;
   }
-  out.luminance_rgb += through * behind;
-  out.tag = what == Seen::OnTag;
-  return out;
+  behind.luminance_rgb = out.luminance_rgb + through * behind.luminance_rgb;
+  behind.tag = what == Seen::OnTag;
+  return behind;
 }
 
 }  // namespace app::synth
