@@ -7,7 +7,7 @@
 #include "app/commands.h"
 #include "app/contact_sheet.h"
 #include "app/exit_status.h"
-#include "app/process/output_files.h"
+#include "app/output_files.h"
 
 namespace app {
 namespace {

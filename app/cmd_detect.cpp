@@ -4,17 +4,18 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "app/commands.h"
 #include "app/detection_table.h"
 #include "app/error.h"
+#include "app/output_files.h"
 #include "ar/capture/source.h"
 #include "calib/camera_file.h"
 
@@ -58,9 +59,7 @@ void check(const DetectArguments& arguments) {
   if (camera != (arguments.size_m > 0.0)) {
     throw UsageError("a pose needs both the camera and the tag's size\ngive --camera or --fov, and --size, or neither");
   }
-  if (!arguments.output.empty() && !arguments.overwrite && std::filesystem::exists(arguments.output)) {
-    throw UsageError(arguments.output + ": exists already\ngive another name, or --overwrite");
-  }
+  if (!arguments.output.empty()) check_may_write(arguments.output, arguments.overwrite);
 }
 
 int run(const DetectArguments& arguments) {
@@ -75,10 +74,9 @@ int run(const DetectArguments& arguments) {
     write(std::cout);
     return 0;
   }
-  std::ofstream out(arguments.output, std::ios::binary | std::ios::trunc);
-  write(out);
-  out.close();
-  if (!out) throw std::runtime_error(arguments.output + ": cannot be written\nis there such a folder, and room?");
+  std::ostringstream text;
+  write(text);
+  write_whole(arguments.output, text.str(), arguments.overwrite);
   return 0;
 }
 

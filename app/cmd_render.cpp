@@ -14,7 +14,7 @@
 #include "app/error.h"
 #include "app/exit_status.h"
 #include "app/median.h"
-#include "app/process/output_files.h"
+#include "app/output_files.h"
 #include "app/still.h"
 #include "ar/error.h"
 #include "render/plan/renderer.h"

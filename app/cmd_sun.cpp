@@ -8,10 +8,12 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <sstream>
 #include <string>
 
 #include "app/commands.h"
 #include "app/error.h"
+#include "app/output_files.h"
 #include "app/sun_path_svg.h"
 #include "app/sun_table.h"
 #include "ar/error.h"
@@ -32,6 +34,7 @@ struct SunArguments {
   std::string format = "text";
   std::string diagram;
   bool year = false;
+  bool overwrite = false;
   SunTableOptions table;
 };
 
@@ -53,10 +56,9 @@ std::vector<SunRow> rows_of(const SunArguments& arguments, const render::Place& 
 }
 
 void write_diagram(const SunArguments& arguments, const render::Place& place, render::UtcTime time) {
-  std::ofstream out(arguments.diagram);
+  std::ostringstream out;
   write_sun_path_svg(out, place, time, arguments.year, arguments.table.tier);
-  out.close();
-  if (!out) throw std::runtime_error(arguments.diagram + ": cannot be written\nis there such a folder, and room?");
+  write_whole(arguments.diagram, out.str(), arguments.overwrite);
 }
 
 int run_batch(const SunArguments& arguments) {
@@ -119,6 +121,7 @@ void add_sun_command(CLI::App& app, Program& program) {
                  "CSV with columns utc,lat_deg,lon_deg,height_m; prints them with the sun");
   sun.add_option("--diagram", arguments->diagram, "Write the day's sun path to this SVG file instead");
   sun.add_flag("--year", arguments->year, "With --diagram: the whole year's paths");
+  sun.add_flag("--overwrite", arguments->overwrite, "With --diagram: replace an existing file");
   add_air_options(sun, *arguments);
   sun.footer(
       "Azimuth is from true north, clockwise; elevation is geometric, `apparent` is lifted by refraction.\n\n"

@@ -8,9 +8,9 @@
 
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "app/output_files.h"
 #include "app/pipeline/interrupt.h"
 #include "app/pipeline/progress.h"
-#include "app/process/output_files.h"
 #include "app/synth/clip.h"
 #include "app/synth/spec.h"
 

@@ -16,7 +16,7 @@
 #include "app/process/exposure.h"
 #include "app/process/frame_reader.h"
 #include "app/process/frame_renderer.h"
-#include "app/process/output_files.h"
+#include "app/output_files.h"
 #include "app/process/poses_csv.h"
 #include "app/process/report.h"
 #include "app/scene_file/scene_file.h"

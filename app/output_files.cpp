@@ -1,9 +1,12 @@
-#include "app/process/output_files.h"
+#include "app/output_files.h"
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <stdexcept>
 #include <system_error>
+
+#include "render/scene/whole_file.h"
 
 namespace app {
 
@@ -19,6 +22,11 @@ void check_may_write(const std::filesystem::path& path, bool overwrite) {
   if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
     throw std::runtime_error(fmt::format("{}: there is no folder {}\nmake it first", path.string(), folder.string()));
   }
+}
+
+void write_whole(const std::filesystem::path& path, const std::string& text, bool overwrite) {
+  check_may_write(path, overwrite);
+  render::write_file_whole(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 }  // namespace app
