@@ -10,6 +10,16 @@ namespace app::synth {
 
 namespace {
 
+// The shaders' own function, compiled by GLM.
+namespace glsl {
+using glm::clamp;
+using glm::max;
+using glm::min;
+using glm::vec3;
+[[maybe_unused]] vec3 shoulder_inverse(vec3 shown);  // the composite's business
+#include "shaders/lib/shoulder.glsl"
+}  // namespace glsl
+
 constexpr float kGrey = 0.18F;
 constexpr float kShotShare = 0.75F;  // of the variance at grey; the rest is read noise
 constexpr int kNormals = 4096;
@@ -70,10 +80,8 @@ class EncodeTable {
 
 }  // namespace
 
-float roll_off(float linear) {
-  constexpr float kKnee = 0.75F;
-  if (linear <= kKnee) return linear;
-  return kKnee + (1.0F - kKnee) * (1.0F - std::exp(-(linear - kKnee) / (1.0F - kKnee)));
+glm::vec3 roll_off(const glm::vec3& linear) {
+  return glm::min(glsl::shoulder(linear), glm::vec3(1.0F));
 }
 
 float bt709_encode(float linear) {
@@ -98,10 +106,10 @@ void Film::develop(const LinearFrame& light, int frame, const ar::OutputFrame& o
         light.rgb[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
     std::uint32_t bits = hash_cell(x, y, frame_seed);
     glm::vec3 rgb;
+    const glm::vec3 clean = roll_off(linear);
     for (int c = 0; c < 3; ++c) {
-      const float clean = roll_off(linear[c]);
-      const float sigma = std::sqrt(read_sigma_ * read_sigma_ + shot_sigma_ * shot_sigma_ * clean);
-      rgb[c] = encode(clean + sigma * noise(bits));
+      const float sigma = std::sqrt(read_sigma_ * read_sigma_ + shot_sigma_ * shot_sigma_ * clean[c]);
+      rgb[c] = encode(clean[c] + sigma * noise(bits));
       bits = mix_bits(bits + 0x9e3779b9U);
     }
     return bt709_matrix(rgb);

@@ -25,8 +25,8 @@ class Film {
   std::vector<float> normal_;  // 4096 values of equal probability of a standard normal
 };
 
-// Identity up to 0.75, then a smooth roll-off towards 1 as the renderer's own.
-float roll_off(float linear);
+// The renderer's own highlight shoulder (shaders/lib/shoulder.glsl), clipped at 1: its inverse recovers the scene.
+glm::vec3 roll_off(const glm::vec3& linear);
 // BT.709's opto-electronic transfer function of [0, 1].
 float bt709_encode(float linear);
 
