@@ -17,9 +17,8 @@ float scattered_fraction(float x) {
 // depths, >= 0; slope in 1/m may have either sign.
 float attenuated_fraction(float extinction, float start, float slope, float length_m) {
   float x = slope * length_m;
-  // For falling optical depth count from the other end: both exponents stay <= 0.
-  return x >= 0.0f ? extinction * length_m * exp(-start) * fall_off(x)
-                   : extinction * length_m * exp(-(start + x)) * fall_off(-x);
+  // Count from the end with the lower optical depth: both exponents stay <= 0.
+  return extinction * length_m * exp(-min(start, start + x)) * fall_off(abs(x));
 }
 
 // Phase functions, 1/sr; cos_theta as in render/medium/medium.h.
@@ -84,14 +83,17 @@ float bounded_fraction(float extinction, vec2 stretch, float entry, vec3 line_a,
   float last = max(c0, max(c1, c2));
   float middle = max(min(c0, c1), min(max(c0, c1), c2));
   float sum = 0.0f;
+  float from = stretch.x;
+  float path_from = sun_path(line_a, line_b, from);
   for (int i = 0; i < 4; ++i) {
-    float from = i == 0 ? stretch.x : i == 1 ? first : i == 2 ? middle : last;
     float to = i == 0 ? first : i == 1 ? middle : i == 2 ? last : stretch.y;
-    if (to <= from) continue;
-    float path_from = sun_path(line_a, line_b, from);
-    float slope = (sun_path(line_a, line_b, to) - path_from) / (to - from);
-    sum += attenuated_fraction(extinction, extinction * (from - entry + path_from), extinction * (1.0f + slope),
-                               to - from);
+    float path_to = sun_path(line_a, line_b, to);
+    float size = max(to - from, 1e-9f);
+    float part = attenuated_fraction(extinction, extinction * (from - entry + path_from),
+                                     extinction * (1.0f + (path_to - path_from) / size), size);
+    sum += to > from ? part : 0.0f;
+    from = to;
+    path_from = path_to;
   }
   return sum;
 }
