@@ -11,8 +11,8 @@
 namespace render {
 namespace {
 
-constexpr int kVirtualMapUnit = 8;  // and 9
-constexpr int kRealMapUnit = 10;    // and 11
+constexpr int kVirtualMapUnit = 8;  // and 9; its bounds 10
+constexpr int kRealMapUnit = 11;    // and 12; its bounds 13
 
 // What the picture is drawn into: virtual things multisampled, then resolved; real ones as they come.
 struct Targets {
@@ -123,6 +123,8 @@ struct ObjectsPass::Impl {
     lighting.set(program);
     shadow->bind(Casters::Virtual, *view, program, kVirtualMapUnit);
     shadow->bind(Casters::Real, *view, program, kRealMapUnit);
+    shadow->bind_bounds(Casters::Virtual, program, kVirtualMapUnit + 2);
+    shadow->bind_bounds(Casters::Real, program, kRealMapUnit + 2);
   }
 
   void draw_real_depth(const std::vector<Draw>& real) const {

@@ -1,12 +1,15 @@
 #include "render/shadow/sun_shadow.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
 
+#include "render/gl/buffer.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/texture.h"
+#include "render/shadow/depth_bounds.h"
 
 namespace render {
 namespace {
@@ -24,20 +27,41 @@ std::vector<CasterKey> keys_of(const std::vector<const Instance*>& casters) {
   return keys;
 }
 
+glm::dvec2 texel_m(const ShadowMap& map) {
+  return glm::dvec2(map.fit.metres_per_unit) / static_cast<double>(map.size_px);
+}
+
+// How far down the light, in metres, receivers of a map's shadow lie: its casters' depth, and half of it beyond them.
+double shadow_length_m(const ShadowMap& map) {
+  return 1.5 * map.fit.metres_per_unit.z;
+}
+
+// Whether the sun has moved its shadows by less than a quarter of a texel, which the bilinear comparison and any
+// penumbra hide: a clip's sun moves 73 microradians a second.
+bool sun_stands(const ShadowMap& map, const glm::dvec3& rendered, const glm::dvec3& now) {
+  if (rendered == now) return true;
+  if (map.fit.empty) return false;
+  const double texel = std::min(texel_m(map).x, texel_m(map).y);
+  return glm::distance(rendered, now) * shadow_length_m(map) < 0.25 * texel;
+}
+
 }  // namespace
 
 struct SunShadow::Impl {
   struct Slot {
     gl::Texture depth;
     gl::Framebuffer framebuffer;
+    DepthBounds bounds;
     ShadowMap map;
     std::vector<CasterKey> keys;
     glm::dvec3 sun_direction{0.0};
+    double disc_slope = 0.0;
     bool rendered = false;
   };
 
   gl::Program opaque{"shadow/caster.vert", "shadow/caster.frag"};
   gl::Program masked{"shadow/caster.vert", "shadow/caster.frag", {{"ALPHA_MASK"}}};
+  gl::VertexArray no_vertices;
   GLuint plain_sampler = 0;
   std::array<Slot, 2> slots;
 
@@ -59,18 +83,22 @@ struct SunShadow::Impl {
               int size_px, GpuModels& models) {
     const int size = casters.empty() ? 1 : size_px;
     const std::vector<CasterKey> keys = keys_of(casters);
+    const double disc_slope = std::tan(scene.sun.angular_radius_rad);
     const bool same = slot.rendered && keys == slot.keys && slot.map.size_px == size &&
-                      (casters.empty() || slot.sun_direction == scene.sun.direction_in_world);
+                      (casters.empty() || (sun_stands(slot.map, slot.sun_direction, scene.sun.direction_in_world) &&
+                                           slot.disc_slope == disc_slope));
     if (same && !slot.map.fit.cut) return false;
     const ShadowFit fit = fit_shadow(scene, view, casters, size);
     if (same && fit == slot.map.fit) return false;
     slot.keys = keys;
+    slot.disc_slope = disc_slope;
     slot.sun_direction = scene.sun.direction_in_world;
     slot.map.fit = fit;
     slot.rendered = true;
     ++slot.map.revision;
     make_storage(slot, size);
     draw(slot, casters, models);
+    bound(slot);
     return true;
   }
 
@@ -105,6 +133,15 @@ struct SunShadow::Impl {
         model.draw(mesh);
       }
     }
+  }
+
+  // As far around as the search for blockers reaches (visibility.glsl).
+  void bound(Slot& slot) const {
+    const glm::dvec2 texel = texel_m(slot.map);
+    const double search_m = slot.disc_slope * shadow_length_m(slot.map);
+    glBindSampler(0, plain_sampler);
+    slot.bounds.update(slot.depth, no_vertices, slot.map.fit.empty ? 1.0 : search_m / std::min(texel.x, texel.y) + 2.0);
+    glBindSampler(0, 0);
   }
 
   // Glass and the like (blended) casts where it is more than half opaque.
@@ -151,6 +188,14 @@ void SunShadow::bind(Casters kind, const View& view, const gl::Program& program,
   program.set(prefix + "local_from_map", glm::mat3(glm::inverse(glm::dmat3(map_from_local))));
   program.set(prefix + "metres_per_unit", glm::vec3(slot.map.fit.metres_per_unit));
   program.set(prefix + "texel", 1.0F / static_cast<float>(slot.map.size_px));
+}
+
+void SunShadow::bind_bounds(Casters kind, const gl::Program& program, int unit) const {
+  const Impl::Slot& slot = impl_->slot(kind);
+  const std::string prefix = kind == Casters::Virtual ? "virtual_" : "real_";
+  slot.bounds.texture().bind(unit);
+  program.set(prefix + "bounds", unit);
+  program.set(prefix + "reach", slot.bounds.reach_texels() / static_cast<float>(slot.map.size_px));
 }
 
 void SunShadow::unbind(int first_unit) {

@@ -30,7 +30,8 @@ class SunShadow {
   SunShadow(const SunShadow&) = delete;
   SunShadow& operator=(const SunShadow&) = delete;
 
-  // Renders what changed since the last call (sun, casters, their places, map size); nothing otherwise.
+  // Renders what changed since the last call (sun, casters, their places, map size); nothing otherwise. A sun that has
+  // moved its shadows by less than a quarter of a texel has not changed.
   // Returns whether anything was rendered. Leaves framebuffer, viewport, program and depth state changed.
   bool update(const SceneState& scene, const View& view, int size_px, GpuModels& models);
 
@@ -41,6 +42,8 @@ class SunShadow {
   // that shaders/shadow/sun_map.glsl declares for it. `prefix` is "virtual" or "real".
   void bind(Casters kind, const View& view, const gl::Program& program, int first_unit) const;
   static void unbind(int first_unit);  // lets go of the units' samplers
+  // The same for the bounds of its depths (DepthBounds), on one texture unit.
+  void bind_bounds(Casters kind, const gl::Program& program, int unit) const;
 
  private:
   struct Impl;

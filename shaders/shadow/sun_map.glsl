@@ -1,4 +1,4 @@
-// The shadow maps as shaders see them; SunShadow::bind() sets these. With REAL_CASTERS there are two.
+// The shadow maps as shaders see them; SunShadow::bind() and bind_bounds() set these. With REAL_CASTERS there are two.
 #include "shadow/visibility.glsl"
 
 uniform highp sampler2DShadow virtual_compared;
@@ -7,6 +7,8 @@ uniform mat4 virtual_map_from_local;
 uniform mat3 virtual_local_from_map;
 uniform vec3 virtual_metres_per_unit;
 uniform float virtual_texel;
+uniform highp sampler2D virtual_bounds;
+uniform float virtual_reach;
 #ifdef REAL_CASTERS
 uniform highp sampler2DShadow real_compared;
 uniform highp sampler2D real_depth;
@@ -14,6 +16,8 @@ uniform mat4 real_map_from_local;
 uniform mat3 real_local_from_map;
 uniform vec3 real_metres_per_unit;
 uniform float real_texel;
+uniform highp sampler2D real_bounds;
+uniform float real_reach;
 #endif
 uniform float sun_disc_slope;  // tangent of the sun's angular radius
 
@@ -22,7 +26,7 @@ float virtual_visibility(vec3 at_in_local, vec3 normal_in_local) {
 #ifdef VIRTUAL_CASTERS
   vec3 at = (virtual_map_from_local * vec4(at_in_local, 1.0)).xyz;
   vec2 slope = receiver_slope(virtual_local_from_map, normal_in_local);
-  return sun_visibility(virtual_compared, virtual_depth, at, slope, virtual_texel, virtual_metres_per_unit,
+  return sun_visibility(virtual_compared, virtual_depth, virtual_bounds, virtual_reach, at, slope, virtual_texel, virtual_metres_per_unit,
                         sun_disc_slope);
 #else
   return 1.0;
@@ -34,7 +38,7 @@ float real_visibility(vec3 at_in_local, vec3 normal_in_local) {
 #ifdef REAL_CASTERS
   vec3 at = (real_map_from_local * vec4(at_in_local, 1.0)).xyz;
   vec2 slope = receiver_slope(real_local_from_map, normal_in_local);
-  return sun_visibility(real_compared, real_depth, at, slope, real_texel, real_metres_per_unit, sun_disc_slope);
+  return sun_visibility(real_compared, real_depth, real_bounds, real_reach, at, slope, real_texel, real_metres_per_unit, sun_disc_slope);
 #else
   return 1.0;
 #endif

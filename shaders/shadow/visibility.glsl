@@ -21,44 +21,54 @@ vec2 next_direction(vec2 direction) {
 // Percentage-closer soft shadows (Fernando 2005) for a parallel sun with a disc: the penumbra of a blocker that is
 // `gap` metres up the light is gap * tan(angular radius) in radius, wherever the receiver is.
 //   depth_compare, depth_value  the same map with and without comparison
+//   depth_bounds     nearest and farthest depth (r, g) in the square of `reach` (in map units) to either side
 //   at_in_map        the receiver
 //   slope            receiver_slope()
 //   texel            1 / map size
 //   metres_per_unit  size of the map along u, v, depth
 //   disc_slope       tangent of the sun's angular radius; 0: sharp
-float sun_visibility(highp sampler2DShadow depth_compare, highp sampler2D depth_value, vec3 at_in_map, vec2 slope,
-                     float texel, vec3 metres_per_unit, float disc_slope) {
+float sun_visibility(highp sampler2DShadow depth_compare, highp sampler2D depth_value,
+                     highp sampler2D depth_bounds, float reach, vec3 at_in_map, vec2 slope, float texel, vec3 metres_per_unit, float disc_slope) {
   // Texels hold the depth at their centres, up to one texel from the point of a bilinear comparison.
   float bias = (abs(slope.x) + abs(slope.y)) * texel + 0.0005 / metres_per_unit.z;
   float receiver = at_in_map.z - bias;
   vec2 search = disc_slope * receiver * metres_per_unit.z / metres_per_unit.xy + texel;
   // On the sun's side of every caster, or beside them all.
   bool beside = any(lessThan(at_in_map.xy, -search)) || any(greaterThan(at_in_map.xy, 1.0 + search));
-  if (receiver <= 0.0 || beside) return 1.0;
+  // Behind or before all that the search can meet: most of a picture is fully lit or fully dark. An empty texel holds 1.
+  vec2 bounds = textureLod(depth_bounds, at_in_map.xy, 0.0).rg;
+  float spread = dot(abs(slope), search);
+  bool bounded = max(search.x, search.y) + texel <= reach;
+  bool lit_all = receiver <= 0.0 || beside || (bounded && min(receiver + spread, 1.0) <= bounds.x);
+  bool dark_all = bounded && min(receiver - spread, 1.0) > bounds.y;
+
+  // Software rasterisers run all code that no lane needs, except further turns of a loop of unknown length: what is
+  // decided takes no turn.
+  int search_taps = lit_all || dark_all ? 0 : BLOCKER_TAPS;
   float blockers = 0.0;
   float blocker_depth = 0.0;
   vec2 direction = vec2(1.0, 0.0);
-  for (int i = 0; i < BLOCKER_TAPS; ++i) {
+  for (int i = 0; i < search_taps; ++i) {
     vec2 offset = direction * sqrt((float(i) + 0.5) / float(BLOCKER_TAPS)) * search;
     direction = next_direction(direction);
     float depth = textureLod(depth_value, at_in_map.xy + offset, 0.0).r;
-    if (depth < min(receiver + dot(slope, offset), 1.0)) {  // an empty texel holds 1
+    if (depth < min(receiver + dot(slope, offset), 1.0)) {
       blockers += 1.0;
       blocker_depth += depth;
     }
   }
-  // The search covers more of the map than any penumbra here: with one answer all over it, that is the answer.
-  if (blockers < 0.5) return 1.0;
-  if (blockers > float(BLOCKER_TAPS) - 0.5) return 0.0;
-
-  float gap_m = max(receiver - blocker_depth / blockers, 0.0) * metres_per_unit.z;
+  // A search of few taps that meets nothing, or no gap, is the answer.
+  bool undecided = blockers > 0.5 && blockers < float(BLOCKER_TAPS) - 0.5;
+  float gap_m = max(receiver - blocker_depth / max(blockers, 1.0), 0.0) * metres_per_unit.z;
   vec2 radius = max(disc_slope * gap_m / metres_per_unit.xy, vec2(0.75 * texel));
+  int filter_taps = undecided ? FILTER_TAPS : 0;
   float lit = 0.0;
-  for (int i = 0; i < FILTER_TAPS; ++i) {
+  for (int i = 0; i < filter_taps; ++i) {
     vec2 offset = direction * sqrt((float(i) + 0.5) / float(FILTER_TAPS)) * radius;
     direction = next_direction(direction);
     float reference = min(receiver + dot(slope, offset), 1.0);  // behind all casters too, an empty texel is lit
     lit += textureLod(depth_compare, vec3(at_in_map.xy + offset, reference), 0.0);
   }
-  return lit / float(FILTER_TAPS);
+  if (undecided) return lit / float(FILTER_TAPS);
+  return lit_all || (!dark_all && blockers < 0.5) ? 1.0 : 0.0;
 }
