@@ -21,10 +21,11 @@ constexpr double kFovRad = 60.0 * 0.017453292519943295;
 constexpr double kSizeM = 0.16;
 const cv::Vec3d kPlace(0.05, -0.02, 0.6);  // of the tag, in the camera's frame, metres
 
-// A 640x480 picture of tag 7 seen head-on, through the pinhole that `--fov 60` assumes; its true corners.
+// A 640x480 picture of tag 7, turned so that its edges cross the pixels at every phase, through the pinhole that `--fov
+// 60` assumes; its true corners.
 std::array<cv::Point2d, 4> draw_tag(const std::string& path) {
   const ar::CameraModel camera = ar::camera_from_horizontal_fov(640, 480, kFovRad);
-  const ar::testing::TagPicture tag{"tag36h11", 7, kSizeM, ar::testing::facing_tag(kPlace, 0.0, 0.0)};
+  const ar::testing::TagPicture tag{"tag36h11", 7, kSizeM, ar::testing::facing_tag(kPlace, 0.3, 0.2, 0.25)};
   EXPECT_TRUE(cv::imwrite(path, ar::testing::draw_tags(camera, {tag})));
   return ar::testing::true_corners_px(camera, tag);
 }
