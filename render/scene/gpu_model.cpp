@@ -22,14 +22,16 @@ GLenum gl_wrap(TextureWrap wrap) {
   return GL_CLAMP_TO_EDGE;
 }
 
-// Leaves seen at a slant need it; more than 4 shows no difference on them. A software rasteriser pays for every
-// sample, so there it stays off.
+// A software rasteriser pays for every sample of a texture.
+bool software_rasteriser() {
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return std::string_view(renderer).find("llvmpipe") != std::string_view::npos;
+}
+
+// Leaves seen at a slant need it; more than 4 shows no difference on them.
 float anisotropy() {
   const auto* names = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const bool software = std::string_view(renderer).find("llvmpipe") != std::string_view::npos;
-  if (software || std::string_view(names).find("GL_EXT_texture_filter_anisotropic") == std::string_view::npos)
-    return 1.0F;
+  if (std::string_view(names).find("GL_EXT_texture_filter_anisotropic") == std::string_view::npos) return 1.0F;
   float most = 1.0F;
   glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
   return std::min(most, 4.0F);
@@ -76,8 +78,10 @@ const gl::Texture* GpuModel::texture_for(const Model& model, const TextureRef& r
   texture.upload(GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
   texture.generate_mipmaps();
   texture.set_wrap(gl_wrap(ref.wrap), gl_wrap(ref.wrap));
-  if (const float most = anisotropy(); most > 1.0F) {
-    texture.bind(0);
+  texture.bind(0);
+  if (software_rasteriser()) {
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  } else if (const float most = anisotropy(); most > 1.0F) {
     glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, most);
   }
   return &texture;
