@@ -84,9 +84,10 @@ struct SunShadow::Impl {
     const int size = casters.empty() ? 1 : size_px;
     const std::vector<CasterKey> keys = keys_of(casters);
     const double disc_slope = std::tan(scene.sun.angular_radius_rad);
+    // The disc's size follows the earth's distance from the sun, by some 1e-10 of it in a frame.
     const bool same = slot.rendered && keys == slot.keys && slot.map.size_px == size &&
                       (casters.empty() || (sun_stands(slot.map, slot.sun_direction, scene.sun.direction_in_world) &&
-                                           slot.disc_slope == disc_slope));
+                                           std::abs(slot.disc_slope - disc_slope) <= 1e-6 * disc_slope));
     if (same && !slot.map.fit.cut) return false;
     const ShadowFit fit = fit_shadow(scene, view, casters, size);
     if (same && fit == slot.map.fit) return false;
