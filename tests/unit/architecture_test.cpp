@@ -39,7 +39,9 @@ std::vector<std::string> includes_of(const fs::path& file) {
   return found;
 }
 
-bool is_source(const fs::path& path) { return path.extension() == ".cpp" || path.extension() == ".h"; }
+bool is_source(const fs::path& path) {
+  return path.extension() == ".cpp" || path.extension() == ".h";
+}
 
 TEST(Architecture, NoForbiddenInclude) {
   const fs::path root = SKYSHAFT_SOURCE_DIR;
@@ -50,9 +52,8 @@ TEST(Architecture, NoForbiddenInclude) {
       if (!is_source(entry.path())) continue;
       ++files;
       for (const std::string& include : includes_of(entry.path())) {
-        EXPECT_FALSE(std::regex_match(include, forbidden))
-            << fs::relative(entry.path(), root) << " includes " << include << ", which " << rule.folder
-            << "/ must not know";
+        EXPECT_FALSE(std::regex_match(include, forbidden)) << fs::relative(entry.path(), root) << " includes "
+                                                           << include << ", which " << rule.folder << "/ must not know";
       }
     }
   }
@@ -60,10 +61,9 @@ TEST(Architecture, NoForbiddenInclude) {
 }
 
 TEST(Architecture, RootHoldsOnlyWhatTheDesignNames) {
-  const std::vector<std::string> allowed{"CMakeLists.txt", "CMakePresets.json", "dev",    "README.md", "LICENSE",
-                                         "CHANGELOG.md",   "app",               "ar",     "render",    "shaders",
-                                         "calib",          "tests",             "data",   "docs",      "build",
-                                         "demo"};
+  const std::vector<std::string> allowed{
+      "CMakeLists.txt", "CMakePresets.json", "dev",   "README.md", "LICENSE", "CHANGELOG.md", "app",   "ar",
+      "render",         "shaders",           "calib", "tests",     "data",    "docs",         "build", "demo"};
   for (const auto& entry : fs::directory_iterator(SKYSHAFT_SOURCE_DIR)) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with('.')) continue;

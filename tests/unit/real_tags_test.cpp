@@ -135,7 +135,8 @@ TEST(RealTags, TheHandHeldVideoIsTrackedWhereItsTagIsSeen) {
   const std::string file = "rit_tag36h11_id3_640x480.mp4";
   if (!fs::exists(folder / file)) GTEST_SKIP() << "no hand-held video";
   std::vector<int> listed;
-  for (const Measured& m : read_measured(folder / "measured_detections.csv")[file]) {
+  auto measured = read_measured(folder / "measured_detections.csv");
+  for (const Measured& m : measured[file]) {
     if (m.id == 3) listed.push_back(m.frame);
   }
   TagMap map;
