@@ -63,6 +63,16 @@ double read_extinction(const YamlMap& map) {
   return map.find("extinction")->number("1/m, 0 or above", [](double x) { return x >= 0.0; });
 }
 
+render::HeightFalloff read_height_falloff(const YamlValue& value) {
+  const YamlMap map = value.map({"base", "scale_height"});
+  render::HeightFalloff falloff;
+  if (const auto base = map.find("base")) {
+    falloff.base_m = base->number("metres, z in the world", [](double) { return true; });
+  }
+  falloff.scale_height_m = read_positive(map.require("scale_height", "metres, above 0"), "metres");
+  return falloff;
+}
+
 render::CloudOptions read_clouds(const YamlValue& value) {
   const YamlMap map = value.map({"preset", "seed"});
   const std::vector<std::string> presets{"clear", "light", "cloudy", "overcast", "night"};
@@ -106,7 +116,8 @@ SceneSky read_sky(const YamlValue& value) {
 }
 
 render::Medium read_medium(const YamlValue& value) {
-  const YamlMap map = value.map({"visibility", "extinction", "albedo", "phase", "g", "extent"}, {"blobs"});
+  const YamlMap map =
+      value.map({"visibility", "extinction", "albedo", "phase", "g", "extent", "height_falloff"}, {"blobs"});
   render::Medium medium;
   medium.extinction_per_m = read_extinction(map);
   medium.albedo =
@@ -114,6 +125,7 @@ render::Medium read_medium(const YamlValue& value) {
   if (const auto phase = map.find("phase")) medium.phase_function = read_phase(*phase);
   medium.g = map.number_or("g", medium.g, "a number above -1 and below 1", [](double x) { return std::abs(x) < 1.0; });
   if (const auto extent = map.find("extent")) medium.extent = read_extent(*extent);
+  if (const auto falloff = map.find("height_falloff")) medium.falloff = read_height_falloff(*falloff);
   return medium;
 }
 

@@ -1,6 +1,8 @@
 #include "render/medium/medium.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -55,6 +57,41 @@ double transmittance(double extinction_per_m, double distance_m) {
   require(distance_m >= 0.0, "transmittance: distance must not be negative", distance_m);
   if (extinction_per_m == 0.0) return 1.0;
   return std::exp(-extinction_per_m * distance_m);
+}
+
+double extinction_at(const Medium& medium, const glm::dvec3& point_in_world) {
+  if (!medium.falloff || medium.extinction_per_m == 0.0) return medium.extinction_per_m;
+  return medium.extinction_per_m *
+         std::exp(-(point_in_world.z - medium.falloff->base_m) / medium.falloff->scale_height_m);
+}
+
+double optical_depth(const Medium& medium, const glm::dvec3& from_in_world, const glm::dvec3& direction_in_world,
+                     double length_m) {
+  require(length_m >= 0.0, "optical_depth: length must not be negative", length_m);
+  if (medium.extinction_per_m == 0.0 || length_m == 0.0) return 0.0;
+  if (!medium.falloff) return medium.extinction_per_m * length_m;
+  const double scale = medium.falloff->scale_height_m;
+  require(scale > 0.0, "optical_depth: scale height must be positive", scale);
+  const double rise = direction_in_world.z / scale;  // scale heights a metre
+  if (std::isinf(length_m)) {
+    return rise > 0.0 ? extinction_at(medium, from_in_world) / rise : std::numeric_limits<double>::infinity();
+  }
+  const double x = std::abs(rise * length_m);
+  const glm::dvec3 low = rise < 0.0 ? from_in_world + direction_in_world * length_m : from_in_world;
+  return extinction_at(medium, low) * length_m * (x == 0.0 ? 1.0 : -std::expm1(-x) / x);
+}
+
+double sun_optical_depth(const Medium& medium, const glm::dvec3& point_in_world,
+                         const glm::dvec3& sun_direction_in_world) {
+  if (!medium.extent) return 0.0;
+  double way = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const double sun = sun_direction_in_world[i];
+    if (sun == 0.0) continue;
+    const double face = sun > 0.0 ? medium.extent->max_in_world[i] : medium.extent->min_in_world[i];
+    way = std::min(way, (face - point_in_world[i]) / sun);
+  }
+  return optical_depth(medium, point_in_world, sun_direction_in_world, std::max(way, 0.0));
 }
 
 glm::dvec3 phase_moments(PhaseFunction function, double g) {

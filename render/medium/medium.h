@@ -22,13 +22,20 @@ struct Box {
   glm::dvec3 max_in_world{0.0};
 };
 
-// A homogeneous participating medium (DESIGN.md section 5).
+// Air that thins out upwards: sigma_t(z) = extinction_per_m * exp(-(z - base_m) / scale_height_m).
+struct HeightFalloff {
+  double base_m = 0.0;            // z in the world at which sigma_t is the medium's extinction_per_m
+  double scale_height_m = 100.0;  // > 0
+};
+
+// A participating medium, homogeneous or thinning out with height (DESIGN.md section 5).
 struct Medium {
-  double extinction_per_m = 0.0;  // sigma_t, >= 0
+  double extinction_per_m = 0.0;  // sigma_t, >= 0; with a falloff, at its base
   double albedo = 0.95;           // sigma_s / sigma_t, [0, 1]
   PhaseFunction phase_function = PhaseFunction::HenyeyGreenstein;
-  double g = 0.7;             // (-1, 1)
-  std::optional<Box> extent;  // absent: unbounded
+  double g = 0.7;                                       // (-1, 1)
+  std::optional<Box> extent = std::nullopt;             // absent: unbounded
+  std::optional<HeightFalloff> falloff = std::nullopt;  // absent: homogeneous
 };
 
 // sigma_t = 2.996 / visibility (5 % contrast). Throws std::invalid_argument where the visibility is not positive.
@@ -40,5 +47,19 @@ double scattered_fraction(double extinction_per_m, double distance_m);
 
 // exp(-sigma_t d); 1 where sigma_t is 0, even at infinite distance.
 double transmittance(double extinction_per_m, double distance_m);
+
+// sigma_t at a point inside the medium, 1/m; does not look at `extent`.
+double extinction_at(const Medium& medium, const glm::dvec3& point_in_world);
+
+// Integral of sigma_t over `length_m` (may be infinite) from `from_in_world` along a unit direction; does not look at
+// `extent`. With a falloff, sigma_t of the lower end times length times (1 - exp(-x)) / x with x the rise in scale
+// heights: accurate to rounding for level rays too. Infinite where an endless ray does not rise.
+double optical_depth(const Medium& medium, const glm::dvec3& from_in_world, const glm::dvec3& direction_in_world,
+                     double length_m);
+
+// Optical depth that sunlight has crossed inside the medium when it reaches a point of it: from where it enters the
+// extent; 0 for a medium without bounds, which takes the sun's light as given everywhere (DESIGN.md section 5).
+double sun_optical_depth(const Medium& medium, const glm::dvec3& point_in_world,
+                         const glm::dvec3& sun_direction_in_world);
 
 }  // namespace render
