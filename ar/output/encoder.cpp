@@ -14,6 +14,9 @@ extern "C" {
 namespace ar {
 namespace {
 
+// Frames that x265 may move one behind: a pyramid of B-frames, in all of its presets.
+constexpr int kX265Reorder = 2;
+
 const char* encoder_name(VideoCodec codec) {
   switch (codec) {
     case VideoCodec::H264:
@@ -137,6 +140,7 @@ void Encoder::configure(const SourceInfo& source, const VideoSinkOptions& option
     std::string x265 = "log-level=error";
     if (options.threads > 0) x265 += fmt::format(":pools={}", options.threads);
     settings.set("x265-params", x265);
+    times_decoding_ = true;
     c.codec_tag = MKTAG('h', 'v', 'c', '1');  // the spelling that Apple's players take
   }
   ffmpeg::last_complaint();
@@ -155,9 +159,22 @@ void Encoder::drain(const PacketTaker& take) {
     const int code = avcodec_receive_packet(context_.get(), packet_.get());
     if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
     check(code, "encoding failed");
+    if (times_decoding_ && !decoding_pts_.empty()) {
+      packet_->dts = decoding_pts_.front();
+      decoding_pts_.pop_front();
+    }
     take(*packet_);
     av_packet_unref(packet_.get());
   }
+}
+
+// x265 3.5 takes its delay from the frame of that number, and from uninitialised memory where a clip is shorter. A
+// packet is decoded when the frame that many places before it is shown; the first ones one tick after another before.
+void Encoder::queue_decoding_time(std::int64_t pts) {
+  if (context_->frame_number == 0 && decoding_pts_.empty()) {
+    for (int i = kX265Reorder; i > 0; --i) decoding_pts_.push_back(pts - i);
+  }
+  decoding_pts_.push_back(pts);
 }
 
 void Encoder::encode(ffmpeg::FramePtr picture, std::int64_t pts, const PacketTaker& take) {
@@ -169,6 +186,7 @@ void Encoder::encode(ffmpeg::FramePtr picture, std::int64_t pts, const PacketTak
   picture->colorspace = context_->colorspace;
   picture->color_range = context_->color_range;
   picture->sample_aspect_ratio = context_->sample_aspect_ratio;
+  if (times_decoding_) queue_decoding_time(pts);
   check(avcodec_send_frame(context_.get(), picture.get()), "encoding failed");
   drain(take);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <string>
 
@@ -29,8 +30,11 @@ class Encoder {
   void configure(const SourceInfo& source, const VideoSinkOptions& options, bool global_header);
   void drain(const PacketTaker& take);
   void check(int code, const char* what) const;
+  void queue_decoding_time(std::int64_t pts);
 
   std::string file_;
+  bool times_decoding_ = false;            // whether this class, not the codec's library, times the decoding
+  std::deque<std::int64_t> decoding_pts_;  // and then when the next packets are decoded, source's time base
   ConvertedFormat format_;
   Converter converter_;
   ffmpeg::CodecPtr context_;

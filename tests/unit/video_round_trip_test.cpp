@@ -54,11 +54,18 @@ constexpr ColorInfo kFull601{ColorMatrix::Bt601, ColorRange::Full, Transfer::Bt7
                              ChromaSiting::Left};
 constexpr ColorInfo kWide{ColorMatrix::Bt2020, ColorRange::Limited, Transfer::Bt709, Primaries::Bt2020,
                           ChromaSiting::Left};
+std::string format_name(const ::testing::TestParamInfo<Format>& format) {
+  const auto& [chroma, bit_depth, color] = format.param;
+  const char* layout = chroma == Chroma::C420 ? "C420" : chroma == Chroma::C422 ? "C422" : "C444";
+  return fmt::format("{}Bit{}Matrix{}", layout, bit_depth, static_cast<int>(color.matrix));
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, Ffv1RoundTrip,
                          ::testing::Values(Format{Chroma::C420, 8, kHd}, Format{Chroma::C422, 8, kHd},
                                            Format{Chroma::C444, 8, kFull601}, Format{Chroma::C420, 10, kWide},
                                            Format{Chroma::C422, 10, kHd}, Format{Chroma::C444, 10, kFull601},
-                                           Format{Chroma::C444, 8, kRgb}, Format{Chroma::C444, 10, kRgb}));
+                                           Format{Chroma::C444, 8, kRgb}, Format{Chroma::C444, 10, kRgb}),
+                         format_name);
 
 TEST(VideoRoundTrip, LossyCodecsKeepThePictureWithinTheirQuality) {
   const TemporaryFolder folder;
@@ -75,6 +82,19 @@ TEST(VideoRoundTrip, LossyCodecsKeepThePictureWithinTheirQuality) {
       const int limit = bit_depth > 8 ? 32 : 8;
       EXPECT_LE(greatest_difference(clip.pictures.at(1), made_picture(info.format, 1)), limit)
           << static_cast<int>(codec) << ' ' << bit_depth;
+    }
+  }
+}
+
+TEST(VideoRoundTrip, ShortHevcClipsKeepTheirTimes) {
+  const TemporaryFolder folder;
+  VideoSinkOptions options = options_for(VideoCodec::Hevc);
+  options.overwrite = true;
+  for (std::size_t frames = 1; frames <= kUnevenPts.size(); ++frames) {
+    const std::vector<std::int64_t> pts(kUnevenPts.begin(), kUnevenPts.begin() + static_cast<std::ptrdiff_t>(frames));
+    for (const int bit_depth : {8, 10}) {
+      write_clip(folder / "a.mkv", made_source(96, 64, Chroma::C420, bit_depth), pts, options);
+      EXPECT_EQ(read_clip(folder / "a.mkv").pts, pts);
     }
   }
 }
@@ -111,12 +131,13 @@ TEST(VideoRoundTrip, OddSizesKeepTheirSize) {
 
 // ---- time
 
-class Timestamps : public ::testing::TestWithParam<std::tuple<VideoCodec, const char*>> {};
+using Container = std::tuple<VideoCodec, std::string>;
+class Timestamps : public ::testing::TestWithParam<Container> {};
 
 TEST_P(Timestamps, SurviveUnevenStepsAndALateStart) {
   const auto& [codec, extension] = GetParam();
   const TemporaryFolder folder;
-  const auto file = folder / (std::string("a") + extension);
+  const auto file = folder / ("a." + extension);
   write_clip(file, made_source(64, 48), kUnevenPts, options_for(codec));
   const ReadClip clip = read_clip(file);
   ASSERT_EQ(clip.time_s.size(), kUnevenPts.size());
@@ -125,10 +146,16 @@ TEST_P(Timestamps, SurviveUnevenStepsAndALateStart) {
   }
 }
 
+std::string container_name(const ::testing::TestParamInfo<Container>& container) {
+  const auto& [codec, extension] = container.param;
+  return fmt::format("Codec{}In{}", static_cast<int>(codec), extension);
+}
+
 INSTANTIATE_TEST_SUITE_P(Containers, Timestamps,
-                         ::testing::Values(std::tuple{VideoCodec::H264, ".mp4"}, std::tuple{VideoCodec::H264, ".mkv"},
-                                           std::tuple{VideoCodec::H264, ".mov"}, std::tuple{VideoCodec::Hevc, ".mp4"},
-                                           std::tuple{VideoCodec::Hevc, ".mkv"}, std::tuple{VideoCodec::Ffv1, ".mkv"}));
+                         ::testing::Values(Container{VideoCodec::H264, "mp4"}, Container{VideoCodec::H264, "mkv"},
+                                           Container{VideoCodec::H264, "mov"}, Container{VideoCodec::Hevc, "mp4"},
+                                           Container{VideoCodec::Hevc, "mkv"}, Container{VideoCodec::Ffv1, "mkv"}),
+                         container_name);
 
 TEST(VideoTime, FramesReorderedByTheEncoderKeepTheirTimes) {
   const TemporaryFolder folder;
