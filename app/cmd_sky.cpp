@@ -14,6 +14,7 @@
 
 #include "app/commands.h"
 #include "app/error.h"
+#include "app/sky_options.h"
 #include "app/sky_picture.h"
 #include "app/sky_table.h"
 #include "ar/error.h"
@@ -26,8 +27,7 @@ namespace {
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 struct SkyArguments {
-  std::string at;
-  std::string time;
+  PlaceTimeArguments where;
   std::vector<double> sun_deg;
   std::vector<std::string> directions;
   std::string batch;
@@ -37,19 +37,14 @@ struct SkyArguments {
   bool overwrite = false;
   double max_error = 0.005;
   ColorSpace space = ColorSpace::Xyz;
-  std::vector<double> irradiance;
-  std::vector<double> condition;
-  render::SkyOptions sky;
+  SkyModelArguments model;
   SkyPictureOptions picture;
 };
 
 SunRequest sun_request(const SkyArguments& arguments) {
   SunRequest request;
-  if (!arguments.at.empty()) {
-    const ar::GeoPosition at = ar::parse_position(arguments.at);
-    request.place = render::Place{at.latitude_deg * kRadPerDeg, at.longitude_deg * kRadPerDeg, at.height_m};
-  }
-  if (!arguments.time.empty()) request.time = ar::parse_time(arguments.time);
+  if (!arguments.where.at.empty()) request.place = place_of(arguments.where.at);
+  if (!arguments.where.time.empty()) request.time = ar::parse_time(arguments.where.time);
   if (!arguments.sun_deg.empty()) {
     request.azimuth_rad = arguments.sun_deg[0] * kRadPerDeg;
     request.elevation_rad = arguments.sun_deg[1] * kRadPerDeg;
@@ -78,31 +73,26 @@ void print_patches(std::ostream& out, const SkyAnswer& answer, const SkyArgument
   options.tessellation = arguments.patches;
   options.max_error = arguments.max_error;
   const render::SkyPatches patches = render::make_patches(*answer.sky, options);
-  out << "azimuth_deg,elevation_deg,solid_angle_sr,r,g,b\n";
+  out << "azimuth_deg,elevation_deg,solid_angle_sr,r,g,b,projected_sr\n";
   for (const render::SkyPatch& patch : patches.patches()) {
     const glm::dvec3& d = patch.direction_in_world;
     const double azimuth = std::atan2(d.x, d.y);
-    out << fmt::format("{:.5f},{:.5f},{:.8g},{:.6g},{:.6g},{:.6g}\n",
+    out << fmt::format("{:.5f},{:.5f},{:.8g},{:.6g},{:.6g},{:.6g},{:.8g}\n",
                        (azimuth < 0.0 ? azimuth + 2.0 * std::numbers::pi : azimuth) / kRadPerDeg,
                        std::asin(d.z) / kRadPerDeg, patch.solid_angle_sr, patch.luminance_rgb.r, patch.luminance_rgb.g,
-                       patch.luminance_rgb.b);
+                       patch.luminance_rgb.b, patch.moment_sr.z);
   }
 }
 
-int run(SkyArguments& arguments) try {
-  if (!arguments.irradiance.empty()) {
-    arguments.sky.irradiance = render::SkyIrradiance{arguments.irradiance[0], arguments.irradiance[1]};
-  }
-  if (!arguments.condition.empty()) {
-    arguments.sky.condition = render::SkyCondition{arguments.condition[0], arguments.condition[1]};
-  }
+int run(const SkyArguments& arguments) try {
+  const render::SkyOptions options = options_of(arguments.model);
   if (!arguments.batch.empty()) {
     std::ifstream in(arguments.batch);
     if (!in) throw ar::InputError(arguments.batch + ": cannot be opened");
-    run_sky_batch(in, arguments.batch, std::cout, arguments.sky);
+    run_sky_batch(in, arguments.batch, std::cout, options);
     return 0;
   }
-  const SkyAnswer sky = answer(sun_request(arguments), arguments.sky);
+  const SkyAnswer sky = answer(sun_request(arguments), options);
   if (!arguments.out.empty()) {
     if (!arguments.overwrite && std::filesystem::exists(arguments.out)) {
       throw std::runtime_error(arguments.out + ": exists already\nname another file, or give --overwrite");
@@ -123,40 +113,19 @@ int run(SkyArguments& arguments) try {
   throw UsageError(error.what());
 }
 
-void add_model_options(CLI::App& sky, SkyArguments& arguments) {
-  sky.add_option("--model", arguments.sky.model,
-                 "perez, preetham (as published), preetham:rescaled, cie:1 to cie:15, scattering, reference, "
-                 "image:FILE, none")
-      ->capture_default_str();
-  sky.add_option("--turbidity", arguments.sky.turbidity, "Haziness (Linke): 2 very clear, 3 clear, 6 hazy")
-      ->check(CLI::Range(1.0, 64.0))
-      ->capture_default_str();
-  sky.add_option("--bins", arguments.sky.bins,
-                 "Perez coefficients: interpolated between the clearness bins, or original")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, render::PerezBins>{
-          {"interpolated", render::PerezBins::Interpolated}, {"original", render::PerezBins::Original}}))
-      ->default_str("interpolated");
-  sky.add_option("--irradiance", arguments.irradiance, "Perez: measured DNI,DHI in W/m2 instead of a turbidity")
-      ->delimiter(',')
-      ->expected(2);
-  sky.add_option("--condition", arguments.condition, "Perez: clearness EPSILON and brightness DELTA instead")
-      ->delimiter(',')
-      ->expected(2);
-  sky.add_option("--clouds", arguments.sky.clouds.preset, "clear, light, cloudy, overcast or night")
-      ->capture_default_str();
-  sky.add_option("--seed", arguments.sky.clouds.seed, "Another number, other clouds")->capture_default_str();
-}
-
 void add_picture_options(CLI::App& sky, SkyArguments& arguments) {
   sky.add_option("-o,--output", arguments.out, "Write the whole sky as .exr or .hdr (cd/m2) or .png instead");
   sky.add_flag("--overwrite", arguments.overwrite, "Replace an existing file");
-  sky.add_option("--projection", arguments.picture.projection, "fisheye or latlong")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, SkyProjection>{{"fisheye", SkyProjection::Fisheye},
-                                                                               {"latlong", SkyProjection::LatLong}}))
+  sky.add_option(
+         "--projection", arguments.picture.projection,
+         "fisheye, latlong, or cube: a cube map filtered for mirrors from smooth (top) to rough, a row of faces "
+         "+x -x +y -y +z -z for each roughness")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, SkyProjection>{
+          {"fisheye", SkyProjection::Fisheye}, {"latlong", SkyProjection::LatLong}, {"cube", SkyProjection::Cube}}))
       ->default_str("fisheye");
-  sky.add_option("--size", arguments.picture.height_px, "Height of the picture in pixels")
-      ->check(CLI::Range(8, 8192))
-      ->capture_default_str();
+  sky.add_option("--size", arguments.picture.height_px,
+                 "Height of the picture in pixels (512), or of the largest face of a cube (64, a power of two)")
+      ->check(CLI::Range(8, 8192));
   sky.add_flag("!--no-sun", arguments.picture.sun_disc, "Leave the sun's disc out");
   sky.add_option("--exposure", arguments.picture.exposure, "PNG: display white per cd/m2; fitted when absent");
 }
@@ -166,8 +135,7 @@ void add_picture_options(CLI::App& sky, SkyArguments& arguments) {
 void add_sky_command(CLI::App& app, Program& program) {
   auto arguments = std::make_shared<SkyArguments>();
   CLI::App& sky = *app.add_subcommand("sky", "The sky's light: in directions, on level ground, as a picture");
-  sky.add_option("--at", arguments->at, "Place: LAT,LON[,HEIGHT] in degrees (north and east positive) and metres");
-  sky.add_option("--time", arguments->time, "Instant: 2024-06-21T07:30:00Z, or with an offset, +02:00");
+  add_place_time_options(sky, arguments->where);
   sky.add_option("--sun", arguments->sun_deg, "The sun's AZIMUTH,ELEVATION in degrees instead of place and time")
       ->delimiter(',')
       ->expected(2);
@@ -183,11 +151,13 @@ void add_sky_command(CLI::App& app, Program& program) {
       "--batch", arguments->batch,
       "CSV with columns utc,lat_deg,lon_deg,view_azimuth_deg,view_elevation_deg and any of turbidity,dni_wm2,"
       "dhi_wm2,epsilon,delta,sun_elevation_deg,sun_azimuth_deg; prints them with X,Y,Z,sun_angle_deg");
-  sky.add_option("--patches", arguments->patches, "Print the sky's patches as CSV: dome5728, dome144 or geodesic");
+  sky.add_option("--patches", arguments->patches,
+                 "Print the sky's patches as CSV, projected_sr for level ground: dome5728, dome144 or geodesic");
   sky.add_option("--max-error", arguments->max_error, "geodesic: error of the horizontal illuminance, relative")
       ->check(CLI::Range(1e-5, 1.0))
       ->capture_default_str();
-  add_model_options(sky, *arguments);
+  add_turbidity_option(sky, arguments->model.sky.turbidity);
+  add_model_options(sky, arguments->model);
   add_picture_options(sky, *arguments);
   sky.footer(
       "Azimuth is from true north, clockwise. Luminance is in cd/m2, without the sun's disc.\n\n"

@@ -14,6 +14,8 @@
 #include "app/commands.h"
 #include "app/error.h"
 #include "app/output_files.h"
+#include "app/sky_options.h"
+#include "app/sun_average.h"
 #include "app/sun_path_svg.h"
 #include "app/sun_table.h"
 #include "ar/error.h"
@@ -24,10 +26,10 @@ namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr std::size_t kMostRows = 1'000'000;
+constexpr std::size_t kMostSkies = 100'000;  // an hour or so of computing
 
 struct SunArguments {
-  std::string at;
-  std::string time;
+  PlaceTimeArguments where;
   std::string until;
   double step_s = 3600.0;
   std::string batch;
@@ -35,21 +37,32 @@ struct SunArguments {
   std::string diagram;
   bool year = false;
   bool overwrite = false;
+  bool average = false;
+  std::vector<double> plane_deg;
+  double bin_deg = 15.0;
+  SkyModelArguments model;
   SunTableOptions table;
 };
 
-render::Place place_of(const std::string& text) {
-  const ar::GeoPosition position = ar::parse_position(text);
-  return {position.latitude_deg * kRadPerDeg, position.longitude_deg * kRadPerDeg, position.height_m};
+std::chrono::microseconds step_of(const SunArguments& arguments) {
+  return std::chrono::round<std::chrono::microseconds>(std::chrono::duration<double>(arguments.step_s));
+}
+
+// The last instant of the range; checks that the range is one.
+render::UtcTime last_of(const SunArguments& arguments, render::UtcTime first, std::size_t most) {
+  const render::UtcTime last = arguments.until.empty() ? first : ar::parse_time(arguments.until);
+  if (last < first) throw UsageError("--until is before --time\ngive a later time");
+  const auto step = step_of(arguments);
+  if (step.count() <= 0) throw UsageError("--step is shorter than a microsecond\ngive a longer one");
+  if (static_cast<std::size_t>((last - first) / step) >= most) {
+    throw UsageError(fmt::format("more than {} rows between --time and --until\ngive a longer --step", most));
+  }
+  return last;
 }
 
 std::vector<SunRow> rows_of(const SunArguments& arguments, const render::Place& place, render::UtcTime first) {
-  const render::UtcTime last = arguments.until.empty() ? first : ar::parse_time(arguments.until);
-  if (last < first) throw UsageError("--until is before --time\ngive a later time");
-  const auto step = std::chrono::round<std::chrono::microseconds>(std::chrono::duration<double>(arguments.step_s));
-  if (static_cast<std::size_t>((last - first) / step) >= kMostRows) {
-    throw UsageError(fmt::format("more than {} rows between --time and --until\ngive a longer --step", kMostRows));
-  }
+  const render::UtcTime last = last_of(arguments, first, kMostRows);
+  const auto step = step_of(arguments);
   std::vector<SunRow> rows;
   for (render::UtcTime time = first; time <= last; time += step) rows.push_back(sun_row(place, time, arguments.table));
   return rows;
@@ -68,11 +81,44 @@ int run_batch(const SunArguments& arguments) {
   return 0;
 }
 
-int run(const SunArguments& arguments) try {
+Plane plane_of(const SunArguments& arguments) {
+  if (arguments.plane_deg.empty()) return {};
+  if (!(arguments.plane_deg[1] >= 0.0 && arguments.plane_deg[1] <= 180.0)) {
+    throw UsageError(fmt::format("--plane leans {} degrees\nexpected AZIMUTH,TILT with a tilt of 0 (level) to 180",
+                                 arguments.plane_deg[1]));
+  }
+  return {arguments.plane_deg[0] * kRadPerDeg, arguments.plane_deg[1] * kRadPerDeg};
+}
+
+int run_average(const SunArguments& arguments, const render::Place& place, render::UtcTime first) {
+  const double rows = 90.0 / arguments.bin_deg;
+  if (std::abs(rows - std::round(rows)) > 1e-9) {
+    throw UsageError(fmt::format("--bin of {} degrees does not divide 90", arguments.bin_deg));
+  }
+  const AverageLight light = average_light({.place = place,
+                                            .first = first,
+                                            .last = last_of(arguments, first, kMostSkies),
+                                            .step = step_of(arguments),
+                                            .tier = arguments.table.tier,
+                                            .weather = arguments.table.weather,
+                                            .sky = options_of(arguments.model),
+                                            .plane = plane_of(arguments),
+                                            .bin_deg = arguments.bin_deg});
+  if (arguments.format == "csv") write_average_csv(std::cout, light);
+  if (arguments.format == "json") write_average_json(std::cout, light);
+  if (arguments.format == "text") write_average_text(std::cout, light);
+  return 0;
+}
+
+int run(SunArguments& arguments) try {
+  arguments.table.turbidity = arguments.model.sky.turbidity;
   if (!arguments.batch.empty()) return run_batch(arguments);
-  if (arguments.at.empty() || arguments.time.empty()) throw UsageError("--at and --time are needed, or --batch");
-  const render::Place place = place_of(arguments.at);
-  const render::UtcTime time = ar::parse_time(arguments.time);
+  if (arguments.where.at.empty() || arguments.where.time.empty()) {
+    throw UsageError("--at and --time are needed, or --batch");
+  }
+  const render::Place place = place_of(arguments.where.at);
+  const render::UtcTime time = ar::parse_time(arguments.where.time);
+  if (arguments.average) return run_average(arguments, place, time);
   if (!arguments.diagram.empty()) {
     write_diagram(arguments, place, time);
     return 0;
@@ -93,9 +139,21 @@ void add_air_options(CLI::App& sun, SunArguments& arguments) {
   sun.add_option("--temperature", arguments.table.weather.temperature_c, "Air temperature in degrees C")
       ->check(CLI::Range(-90.0, 60.0))
       ->capture_default_str();
-  sun.add_option("--turbidity", arguments.table.turbidity, "Haziness for the illuminance: 2 clear, 10 hazy")
-      ->check(CLI::Range(1.0, 30.0))
+  add_turbidity_option(sun, arguments.model.sky.turbidity);
+}
+
+void add_average_options(CLI::App& sun, SunArguments& arguments) {
+  sun.add_flag("--average", arguments.average,
+               "Mean light of sun and sky on a plane over the range, by the direction that it comes from");
+  sun.add_option("--plane", arguments.plane_deg,
+                 "With --average: the plane faces AZIMUTH and leans TILT degrees from level")
+      ->delimiter(',')
+      ->expected(2)
+      ->default_str("0,0");
+  sun.add_option("--bin", arguments.bin_deg, "With --average: size of a direction bin in degrees, a divisor of 90")
+      ->check(CLI::Range(1.0, 90.0))
       ->capture_default_str();
+  add_model_options(sun, arguments.model);
 }
 
 }  // namespace
@@ -103,8 +161,7 @@ void add_air_options(CLI::App& sun, SunArguments& arguments) {
 void add_sun_command(CLI::App& app, Program& program) {
   auto arguments = std::make_shared<SunArguments>();
   CLI::App& sun = *app.add_subcommand("sun", "Where the sun stands, what of its light arrives, when it rises and sets");
-  sun.add_option("--at", arguments->at, "Place: LAT,LON[,HEIGHT] in degrees (north and east positive) and metres");
-  sun.add_option("--time", arguments->time, "Instant: 2024-06-21T07:30:00Z, or with an offset, +02:00");
+  add_place_time_options(sun, arguments->where);
   sun.add_option("--until", arguments->until, "Last instant of a range that starts at --time");
   sun.add_option("--step", arguments->step_s, "Step of the range: 30s, 10m, 1h, 1d")
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}, {"d", 86400}}))
@@ -123,9 +180,12 @@ void add_sun_command(CLI::App& app, Program& program) {
   sun.add_flag("--year", arguments->year, "With --diagram: the whole year's paths");
   sun.add_flag("--overwrite", arguments->overwrite, "With --diagram: replace an existing file");
   add_air_options(sun, *arguments);
+  add_average_options(sun, *arguments);
   sun.footer(
       "Azimuth is from true north, clockwise; elevation is geometric, `apparent` is lifted by refraction.\n\n"
-      "Example:\n  skyshaft sun --at 48.8584,2.2945,35 --time 2024-06-21T07:30:00Z");
+      "Examples:\n  skyshaft sun --at 48.8584,2.2945,35 --time 2024-06-21T07:30:00Z\n"
+      "  skyshaft sun --at 48.8584,2.2945,35 --time 2024-06-21T03:00:00Z --until 2024-06-21T21:00:00Z --step 15m \\\n"
+      "    --average --plane 180,30");
   sun.callback([&program, arguments] { program.action = [arguments] { return run(*arguments); }; });
 }
 

@@ -7,7 +7,10 @@
 #include <vector>
 
 #include "app/error.h"
+#include "render/sky/hemisphere.h"
+#include "render/sky/sky_cube.h"
 #include "render/sky/sky_image.h"
+#include "render/sun/limb_darkening.h"
 #include "render/sun/spectrum.h"
 
 namespace app {
@@ -15,9 +18,15 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+int height_of(const SkyPictureOptions& options) {
+  constexpr int kPicture = 512;
+  constexpr int kCube = 64;
+  return options.height_px.value_or(options.projection == SkyProjection::Cube ? kCube : kPicture);
+}
+
 // Direction of a point of the picture, pixels from its edge; nothing outside a fisheye's circle.
 std::optional<glm::dvec3> direction_at(const SkyPictureOptions& options, double x_px, double y_px) {
-  const int height = options.height_px;
+  const int height = height_of(options);
   if (options.projection == SkyProjection::LatLong) {
     return render::lat_long_direction(x_px - 0.5, y_px - 0.5, 2 * height, height);
   }
@@ -30,17 +39,20 @@ std::optional<glm::dvec3> direction_at(const SkyPictureOptions& options, double 
   return glm::dvec3(-x * scale, y * scale, std::cos(from_zenith));
 }
 
-// Share of a pixel that the sun's disc covers.
-double disc_coverage(const SkyPictureOptions& options, int column, int row, const glm::dvec3& sun, double radius_rad) {
+// The sun's disc over its mean luminance in a pixel: its limb is dark, and the ground hides what is below.
+glm::dvec3 disc_in_pixel(const SkyPictureOptions& options, int column, int row, const glm::dvec3& sun,
+                         double radius_rad) {
   constexpr int kSamples = 5;
-  int inside = 0;
+  glm::dvec3 sum(0.0);
   for (int j = 0; j < kSamples; ++j) {
     for (int i = 0; i < kSamples; ++i) {
       const auto direction = direction_at(options, column + (i + 0.5) / kSamples, row + (j + 0.5) / kSamples);
-      if (direction && direction->z >= 0.0 && glm::dot(*direction, sun) >= std::cos(radius_rad)) ++inside;
+      if (!direction || direction->z < 0.0) continue;
+      const double r = 2.0 * std::asin(std::min(0.5 * glm::length(*direction - sun), 1.0)) / radius_rad;
+      if (r <= 1.0) sum += render::limb_darkening_rgb(r);
     }
   }
-  return static_cast<double>(inside) / (kSamples * kSamples);
+  return sum / static_cast<double>(kSamples * kSamples);
 }
 
 double median_luminance(const render::LinearImage& picture) {
@@ -108,22 +120,59 @@ render::Image tone_mapped(const render::LinearImage& picture, std::optional<doub
 
 }  // namespace
 
+namespace {
+
+// A level's faces side by side, the levels below each other from smooth to rough.
+render::LinearImage cube_picture(const SkyAnswer& answer, int size_px) {
+  constexpr double kGroundAlbedo = 0.2;
+  constexpr int kSmallestFace = 4;
+  constexpr int kMostLevels = 5;
+  render::SkyCubeOptions options{size_px, 1};
+  while (options.levels < kMostLevels && size_px >> options.levels >= kSmallestFace) ++options.levels;
+  const double sine = std::max(std::sin(answer.sun.apparent_elevation_rad), 0.0);
+  const glm::dvec3 ground =
+      (render::horizontal_illuminance(*answer.sky) + answer.sun_illuminance_rgb * sine) * (kGroundAlbedo / kPi);
+  const std::vector<render::CubeLevel> levels = render::make_sky_cube(*answer.sky, ground, options);
+  render::LinearImage picture{6 * size_px, 0, {}};
+  for (const render::CubeLevel& level : levels) picture.height += level.size_px;
+  const auto width = static_cast<std::size_t>(picture.width);
+  picture.rgb.assign(width * static_cast<std::size_t>(picture.height), glm::vec3(0.0F));
+  std::size_t top = 0;
+  for (const render::CubeLevel& level : levels) {
+    const auto size = static_cast<std::size_t>(level.size_px);
+    for (std::size_t face = 0; face < 6; ++face) {
+      for (std::size_t row = 0; row < size; ++row) {
+        const auto from = level.face[face].begin() + static_cast<std::ptrdiff_t>(row * size);
+        std::copy_n(from, size, picture.rgb.begin() + static_cast<std::ptrdiff_t>((top + row) * width + face * size));
+      }
+    }
+    top += size;
+  }
+  return picture;
+}
+
+}  // namespace
+
 render::LinearImage sky_picture(const SkyAnswer& answer, const SkyPictureOptions& options) {
+  const int height = height_of(options);
+  if (options.projection == SkyProjection::Cube) return cube_picture(answer, height);
   const bool lat_long = options.projection == SkyProjection::LatLong;
-  render::LinearImage picture{lat_long ? 2 * options.height_px : options.height_px, options.height_px, {}};
+  render::LinearImage picture{lat_long ? 2 * height : height, height, {}};
   picture.rgb.assign(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height),
                      glm::vec3(0.0F));
   const glm::dvec3 sun = answer.sun.apparent_direction_in_world();
   const double radius = answer.sun.angular_radius_rad;
-  const double near_sun = std::cos(radius + 2.0 * kPi / options.height_px);
-  const glm::dvec3 disc = answer.sun_illuminance_rgb / (kPi * radius * radius);
+  const double near_sun = std::cos(radius + 2.0 * kPi / height);
+  const double visible = render::visible_light_share(answer.sun.apparent_elevation_rad / radius, 555.0);
+  const glm::dvec3 disc =
+      visible > 0.0 ? answer.sun_illuminance_rgb / (visible * kPi * radius * radius) : glm::dvec3(0.0);
   for (int row = 0; row < picture.height; ++row) {
     for (int column = 0; column < picture.width; ++column) {
       const auto direction = direction_at(options, column + 0.5, row + 0.5);
       if (!direction || direction->z < 0.0) continue;
       glm::dvec3 rgb = mean_luminance(*answer.sky, options, column, row);
       if (options.sun_disc && glm::dot(*direction, sun) > near_sun) {
-        rgb += disc * disc_coverage(options, column, row, sun, radius);
+        rgb += disc * disc_in_pixel(options, column, row, sun, radius);
       }
       picture.rgb[static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
                   static_cast<std::size_t>(column)] = glm::vec3(rgb);

@@ -21,6 +21,8 @@ struct SunRequest {
   std::optional<render::UtcTime> time;
   std::optional<double> azimuth_rad;    // replaces the computed azimuth
   std::optional<double> elevation_rad;  // replaces the computed elevation, geometric and apparent
+  render::SunTier tier = render::SunTier::Precise;
+  render::Weather weather;
 };
 
 // A direction that was asked for, radians.
@@ -34,6 +36,7 @@ glm::dvec3 view_direction(const ViewRequest& view);
 double sun_angle_rad(const SkyAnswer& answer, const glm::dvec3& direction_in_world);
 
 // Throws UsageError where neither place and time nor an elevation is known. The moon is put in when place and time are.
+// What lies outside the model's range is logged, each kind once.
 SkyAnswer answer(const SunRequest& request, render::SkyOptions options);
 
 }  // namespace app

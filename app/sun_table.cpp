@@ -48,6 +48,7 @@ nlohmann::json json_row(const SunRow& row, const SunTableOptions& options) {
           {"apparent_elevation_deg", row.position.apparent_elevation_rad * kDegPerRad},
           {"distance_au", row.position.distance_au},
           {"angular_radius_deg", row.position.angular_radius_rad * kDegPerRad},
+          {"shadow_radius_deg", row.light.shadow_radius_rad * kDegPerRad},
           {"equation_of_time_s", render::equation_of_time_s(row.time, options.tier)},
           {"visible_disc_fraction", row.light.visible_disc_fraction},
           {"illuminance_lux", render::luminance(rgb)},
@@ -71,18 +72,20 @@ void write_events(std::ostream& out, const SunRow& row, const SunTableOptions& o
 
 void write_instant(std::ostream& out, const SunRow& row, const SunTableOptions& options) {
   const glm::dvec3& rgb = row.light.illuminance_rgb;
-  fmt::print(out,
-             "time                {}\nplace               {:.6f} N  {:.6f} E  {:.0f} m\n"
-             "azimuth             {:.4f} deg from north, clockwise\nelevation           {:.4f} deg\n"
-             "apparent elevation  {:.4f} deg with refraction\ndistance            {:.6f} au\n"
-             "angular radius      {:.4f} deg\nequation of time    {:+.1f} s\n"
-             "illuminance         {:.0f} lux facing the sun, {:.0f} % of the disc up\n"
-             "illuminance rgb     {:.0f} {:.0f} {:.0f} lux, linear Rec. 709\n",
-             ar::format_time(row.time), row.place.latitude_rad * kDegPerRad, row.place.longitude_rad * kDegPerRad,
-             row.place.height_m, row.position.azimuth_rad * kDegPerRad, row.position.elevation_rad * kDegPerRad,
-             row.position.apparent_elevation_rad * kDegPerRad, row.position.distance_au,
-             row.position.angular_radius_rad * kDegPerRad, render::equation_of_time_s(row.time, options.tier),
-             render::luminance(rgb), 100.0 * row.light.visible_disc_fraction, rgb.r, rgb.g, rgb.b);
+  fmt::print(
+      out,
+      "time                {}\nplace               {:.6f} N  {:.6f} E  {:.0f} m\n"
+      "azimuth             {:.4f} deg from north, clockwise\nelevation           {:.4f} deg\n"
+      "apparent elevation  {:.4f} deg with refraction\ndistance            {:.6f} au\n"
+      "angular radius      {:.4f} deg; {:.4f} for soft shadows, for its limb is dark\nequation of time    {:+.1f} s\n"
+      "illuminance         {:.0f} lux facing the sun, {:.0f} % of the disc up\n"
+      "illuminance rgb     {:.0f} {:.0f} {:.0f} lux, linear Rec. 709\n",
+      ar::format_time(row.time), row.place.latitude_rad * kDegPerRad, row.place.longitude_rad * kDegPerRad,
+      row.place.height_m, row.position.azimuth_rad * kDegPerRad, row.position.elevation_rad * kDegPerRad,
+      row.position.apparent_elevation_rad * kDegPerRad, row.position.distance_au,
+      row.position.angular_radius_rad * kDegPerRad, row.light.shadow_radius_rad * kDegPerRad,
+      render::equation_of_time_s(row.time, options.tier), render::luminance(rgb),
+      100.0 * row.light.visible_disc_fraction, rgb.r, rgb.g, rgb.b);
   write_events(out, row, options);
 }
 

@@ -18,7 +18,7 @@ struct SunRow {
 struct SunTableOptions {
   render::SunTier tier = render::SunTier::Precise;
   render::Weather weather;
-  double turbidity = 3.0;
+  double turbidity = render::kClearTurbidity;
 };
 
 SunRow sun_row(const render::Place& place, render::UtcTime time, const SunTableOptions& options);

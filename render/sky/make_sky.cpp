@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "render/sky/cie.h"
-#include "render/sky/clear_sky_irradiance.h"
 #include "render/sky/clouds.h"
 #include "render/sky/dusk_sky.h"
 #include "render/sky/form_sky.h"
@@ -13,6 +12,7 @@
 #include "render/sky/night_sky.h"
 #include "render/sky/reference_sky.h"
 #include "render/sky/scattering_sky.h"
+#include "render/sky/sky_condition.h"
 #include "render/sky/sky_image.h"
 #include "render/sky/sky_model.h"
 #include "render/sky/twilight.h"
@@ -30,53 +30,10 @@ class BlackSky final : public SkyModel {
   glm::dvec3 luminance_rgb(const glm::dvec3&) const override { return glm::dvec3(0.0); }
 };
 
-// The sun where the daytime models end: on the horizon or above.
-struct Day {
-  SunPosition sun;
-  double zenith_rad;
-  double outside_wm2;
-};
-
-Day day_of(const SunPosition& sun) {
-  Day day{sun, 0.0, kSolarConstantWm2 / (sun.distance_au * sun.distance_au)};
-  day.sun.elevation_rad = std::max(sun.elevation_rad, 0.0);
-  day.zenith_rad = std::numbers::pi / 2.0 - day.sun.elevation_rad;
-  return day;
-}
-
-struct Condition {
-  double clearness;
-  double brightness;
-  double diffuse_lux;
-};
-
-Condition condition_from(const SkyIrradiance& irradiance, const Day& day) {
-  const double clearness = sky_clearness(irradiance.dni_wm2, irradiance.dhi_wm2, day.zenith_rad);
-  const double brightness = sky_brightness(irradiance.dhi_wm2, day.zenith_rad, day.outside_wm2);
-  const double efficacy = diffuse_efficacy(clearness, brightness, day.zenith_rad);
-  return {clearness, brightness, std::max(irradiance.dhi_wm2, 0.0) * efficacy};
-}
-
-// Clear-sky irradiances mean little with the sun lower than 3 degrees: its shape is kept from there on.
-Condition clear_condition(double turbidity, Day day) {
-  const double elevation = std::max(day.sun.elevation_rad, 3.0 * kRadPerDeg);
-  day.zenith_rad = std::numbers::pi / 2.0 - elevation;
-  const ClearSkyIrradiance clear = clear_sky_irradiance(turbidity, elevation, 0.0, day.outside_wm2);
-  return condition_from({clear.dni_wm2, clear.dhi_wm2}, day);
-}
-
-Condition given_condition(const SkyCondition& given, const Day& day) {
-  const double dhi_wm2 = dhi_from_brightness(given.brightness, day.zenith_rad, day.outside_wm2);
-  const double efficacy = diffuse_efficacy(given.clearness, given.brightness, day.zenith_rad);
-  return {given.clearness, given.brightness, dhi_wm2 * efficacy};
-}
-
 std::unique_ptr<SkyModel> perez(const SkyOptions& options, const SunPosition& sun) {
   const Day day = day_of(sun);
   const bool given = options.condition || options.irradiance;
-  const Condition condition = options.condition    ? given_condition(*options.condition, day)
-                              : options.irradiance ? condition_from(*options.irradiance, day)
-                                                   : clear_condition(options.turbidity, day);
+  const Condition condition = condition_of(options, day);
   SkyForm form;
   form.shape =
       without_dark_zenith(perez_shape(condition.clearness, condition.brightness, day.zenith_rad, options.bins));
@@ -90,12 +47,14 @@ std::unique_ptr<SkyModel> perez(const SkyOptions& options, const SunPosition& su
 
 std::unique_ptr<SkyModel> preetham(const SkyOptions& options, const SunPosition& sun, bool rescaled) {
   const Day day = day_of(sun);
-  const double turbidity = rescaled ? std::max(options.turbidity, 2.0) : options.turbidity;
+  SkyOptions clear = options;
+  if (rescaled) clear.turbidity = std::max(options.turbidity, 2.0);
+  const double turbidity = clear.turbidity;
   const SkyForm form{preetham_shapes(turbidity).luminance, Indicatrix::Perez, turbidity, nullptr, 0.0};
   const double zenith_cdm2 = std::max(preetham_zenith(turbidity, day.zenith_rad).luminance_kcdm2, 0.0) * 1e3;
   auto published = make_form_sky_at_zenith(form, day.sun, zenith_cdm2);
   if (rescaled) {
-    const double level = diffuse_level_lux(clear_condition(turbidity, day).diffuse_lux, sun, turbidity);
+    const double level = diffuse_level_lux(clear_condition(clear, day).diffuse_lux, sun, turbidity);
     return make_dusk_sky(std::move(published), sun, turbidity, level, kClearHandover, 1.0);
   }
   const double level = luminance(horizontal_illuminance(*published)) * twilight_dimming(sun.elevation_rad);
@@ -107,7 +66,7 @@ std::unique_ptr<SkyModel> cie(int type, const SkyOptions& options, const SunPosi
   const Day day = day_of(sun);
   const double clearness = cie_clearness(type);
   const double overcast_lux = 300.0 + 21000.0 * std::sin(day.sun.elevation_rad);
-  const double clear_lux = std::max(clear_condition(options.turbidity, day).diffuse_lux, 1.0);
+  const double clear_lux = std::max(clear_condition(options, day).diffuse_lux, 1.0);
   const double lux = std::exp(glm::mix(std::log(overcast_lux), std::log(clear_lux), clearness));
   SkyForm form{cie_shape(type), Indicatrix::Cie, options.turbidity, nullptr, 1.0 - clearness};
   if (clearness > 0.0) form.colors = make_reference_colors(options.turbidity, day.sun);
@@ -117,7 +76,7 @@ std::unique_ptr<SkyModel> cie(int type, const SkyOptions& options, const SunPosi
 
 std::unique_ptr<SkyModel> scattering(const SkyOptions& options, const SunPosition& sun) {
   const Day day = day_of(sun);
-  const double level = diffuse_level_lux(clear_condition(options.turbidity, day).diffuse_lux, sun, options.turbidity);
+  const double level = diffuse_level_lux(clear_condition(options, day).diffuse_lux, sun, options.turbidity);
   return make_dusk_sky(make_scattering_sky(options.turbidity, day.sun), sun, options.turbidity, level, kClearHandover,
                        1.0);
 }
@@ -143,7 +102,7 @@ std::unique_ptr<SkyModel> cloudless(const SkyOptions& options, const SunPosition
   if (model.starts_with("cie:")) return cie(cie_type(model.substr(4)), options, sun);
   if (model.starts_with("image:")) {
     const double diffuse_lux =
-        diffuse_level_lux(clear_condition(options.turbidity, day_of(sun)).diffuse_lux, sun, options.turbidity);
+        diffuse_level_lux(clear_condition(options, day_of(sun)).diffuse_lux, sun, options.turbidity);
     return make_image_sky(model.substr(6), sun, diffuse_lux);
   }
   throw std::runtime_error("unknown sky model `" + model +

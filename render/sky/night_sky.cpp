@@ -20,16 +20,27 @@ double van_rhijn(double sin_elevation) {
   return 1.0 / std::sqrt(1.0 - kLayerHeightRatio * kLayerHeightRatio * cos2) / kMean;
 }
 
+// Stars and airglow together are a little warmer than daylight (Leinert et al. 1998).
+glm::dvec3 glow_xyz() {
+  return xyz_from_yxy(kAirglowLux / std::numbers::pi, 0.345, 0.355);
+}
+
 class NightSky final : public SkyModel {
  public:
   NightSky(std::unique_ptr<SkyModel> sky, std::unique_ptr<SkyModel> moonlit, double moon_share)
       : sky_(std::move(sky)), moonlit_(std::move(moonlit)), moon_share_(moon_share) {}
 
   glm::dvec3 luminance_rgb(const glm::dvec3& direction_in_world) const override {
-    // Stars and airglow together are a little warmer than daylight (Leinert et al. 1998).
-    static const glm::dvec3 glow = rgb_from_xyz(xyz_from_yxy(kAirglowLux / std::numbers::pi, 0.345, 0.355));
+    static const glm::dvec3 glow = rgb_from_xyz(glow_xyz());
     glm::dvec3 sum = sky_->luminance_rgb(direction_in_world) + glow * van_rhijn(above_horizon(direction_in_world).z);
     if (moonlit_) sum += moon_share_ * moonlit_->luminance_rgb(direction_in_world);
+    return sum;
+  }
+
+  glm::dvec3 luminance_xyz(const glm::dvec3& direction_in_world) const override {
+    glm::dvec3 sum =
+        sky_->luminance_xyz(direction_in_world) + glow_xyz() * van_rhijn(above_horizon(direction_in_world).z);
+    if (moonlit_) sum += moon_share_ * moonlit_->luminance_xyz(direction_in_world);
     return sum;
   }
 

@@ -11,6 +11,7 @@ namespace {
 constexpr int kBins = 8;
 constexpr double kLeastBrightness = 0.01;
 constexpr double kMostBrightness = 0.6;
+constexpr double kClearest = 12.0;
 
 // Perez 1993, table 1: x = x1 + x2 Z + delta (x3 + x4 Z).
 struct Row {
@@ -122,6 +123,40 @@ double kasten_air_mass(double zenith_rad) {
   return 1.0 / (std::cos(zenith_deg / 180.0 * std::numbers::pi) + 0.15 * std::pow(93.885 - zenith_deg, -1.253));
 }
 
+double clamped_brightness(double brightness) {
+  return std::clamp(brightness, kLeastBrightness, kMostBrightness);
+}
+
+double held_clearness(double clearness) {
+  return std::clamp(clearness, 1.0, kClearest);
+}
+
+double clearness_cubic(double sun_zenith_rad) {
+  const double zenith = std::clamp(sun_zenith_rad, 0.0, std::numbers::pi / 2.0);
+  return 1.041 * zenith * zenith * zenith;
+}
+
+// Between which bins' centres a clearness lies.
+struct BinPosition {
+  std::size_t low;
+  double weight;  // of the bin after it
+};
+
+BinPosition position_of(double clearness) {
+  const double held = std::clamp(clearness, kBinCentre.front(), kBinCentre.back());
+  std::size_t low = 0;
+  while (low + 2 < kBinCentre.size() && held > kBinCentre[low + 1]) ++low;
+  return {low, (held - kBinCentre[low]) / (kBinCentre[low + 1] - kBinCentre[low])};
+}
+
+// The efficacy that `of_bin` gives each bin, by the bin that clearness lies in or between the nearest two.
+template <typename OfBin>
+double efficacy(double clearness, PerezBins bins, const OfBin& of_bin) {
+  if (bins == PerezBins::Original) return of_bin(static_cast<std::size_t>(bin_of(clearness)));
+  const BinPosition at = position_of(clearness);
+  return std::lerp(of_bin(at.low), of_bin(at.low + 1), at.weight);
+}
+
 double mix(double from, double to, double weight) {
   return from + (to - from) * weight;
 }
@@ -135,36 +170,36 @@ double perez_luminance(const PerezShape& shape, double cos_view_zenith, double g
 }
 
 double sky_clearness(double dni_wm2, double dhi_wm2, double sun_zenith_rad) {
-  constexpr double kClearest = 12.0;
   const double direct = std::max(dni_wm2, 0.0);
   const double diffuse = std::max(dhi_wm2, 0.0);
   if (diffuse <= 0.0) return direct > 0.0 ? kClearest : 1.0;
-  const double zenith = std::clamp(sun_zenith_rad, 0.0, std::numbers::pi / 2.0);
-  const double cubic = 1.041 * zenith * zenith * zenith;
-  return std::clamp(((diffuse + direct) / diffuse + cubic) / (1.0 + cubic), 1.0, kClearest);
+  const double cubic = clearness_cubic(sun_zenith_rad);
+  return held_clearness(((diffuse + direct) / diffuse + cubic) / (1.0 + cubic));
 }
 
 double sky_brightness(double dhi_wm2, double sun_zenith_rad, double extraterrestrial_normal_wm2) {
   const double air_mass = kasten_air_mass(sun_zenith_rad);
-  return std::clamp(std::max(dhi_wm2, 0.0) * air_mass / extraterrestrial_normal_wm2, kLeastBrightness, kMostBrightness);
+  return clamped_brightness(std::max(dhi_wm2, 0.0) * air_mass / extraterrestrial_normal_wm2);
+}
+
+double dni_from_clearness(double clearness, double dhi_wm2, double sun_zenith_rad) {
+  const double cubic = clearness_cubic(sun_zenith_rad);
+  return std::max(dhi_wm2 * (held_clearness(clearness) - 1.0) * (1.0 + cubic), 0.0);
 }
 
 double dhi_from_brightness(double brightness, double sun_zenith_rad, double extraterrestrial_normal_wm2) {
-  return brightness * extraterrestrial_normal_wm2 / kasten_air_mass(sun_zenith_rad);
+  return clamped_brightness(brightness) * extraterrestrial_normal_wm2 / kasten_air_mass(sun_zenith_rad);
 }
 
 PerezShape perez_shape(double clearness, double brightness, double sun_zenith_rad, PerezBins bins) {
   const double zenith = std::clamp(sun_zenith_rad, 0.0, std::numbers::pi / 2.0);
-  brightness = std::clamp(brightness, kLeastBrightness, kMostBrightness);
+  brightness = clamped_brightness(brightness);
   if (bins == PerezBins::Original) return bin_shape(bin_of(clearness), brightness, zenith);
-  const double held = std::clamp(clearness, kBinCentre.front(), kBinCentre.back());
-  std::size_t low = 0;
-  while (low + 2 < kBinCentre.size() && held > kBinCentre[low + 1]) ++low;
-  const double weight = (held - kBinCentre[low]) / (kBinCentre[low + 1] - kBinCentre[low]);
-  const PerezShape from = bin_shape(static_cast<int>(low), brightness, zenith);
-  const PerezShape to = bin_shape(static_cast<int>(low) + 1, brightness, zenith);
-  return {mix(from.a, to.a, weight), mix(from.b, to.b, weight), mix(from.c, to.c, weight), mix(from.d, to.d, weight),
-          mix(from.e, to.e, weight)};
+  const BinPosition at = position_of(clearness);
+  const PerezShape from = bin_shape(static_cast<int>(at.low), brightness, zenith);
+  const PerezShape to = bin_shape(static_cast<int>(at.low) + 1, brightness, zenith);
+  return {mix(from.a, to.a, at.weight), mix(from.b, to.b, at.weight), mix(from.c, to.c, at.weight),
+          mix(from.d, to.d, at.weight), mix(from.e, to.e, at.weight)};
 }
 
 PerezShape without_dark_zenith(PerezShape shape) {
@@ -173,15 +208,26 @@ PerezShape without_dark_zenith(PerezShape shape) {
   return shape;
 }
 
-double diffuse_efficacy(double clearness, double brightness, double sun_zenith_rad) {
-  const auto& k = kDiffuseEfficacy[static_cast<std::size_t>(bin_of(clearness))];
-  return k[0] + k[1] * kPrecipitableWaterCm + k[2] * std::cos(sun_zenith_rad) + k[3] * std::log(brightness);
+double held_brightness(double clearness, double brightness, double sun_zenith_rad) {
+  const double zenith = std::clamp(sun_zenith_rad, 0.0, std::numbers::pi / 2.0);
+  return valid_brightness(bin_of(clearness), clamped_brightness(brightness), zenith);
 }
 
-double direct_efficacy(double clearness, double brightness, double sun_zenith_rad) {
-  const auto& k = kDirectEfficacy[static_cast<std::size_t>(bin_of(clearness))];
-  return std::max(k[0] + k[1] * kPrecipitableWaterCm + k[2] * std::exp(5.73 * sun_zenith_rad - 5.0) + k[3] * brightness,
-                  0.0);
+double diffuse_efficacy(double clearness, double brightness, double sun_zenith_rad, PerezBins bins) {
+  const double cosine = std::cos(sun_zenith_rad);
+  const double log_brightness = std::log(clamped_brightness(brightness));
+  return efficacy(clearness, bins, [&](std::size_t bin) {
+    const auto& k = kDiffuseEfficacy[bin];
+    return k[0] + k[1] * kPrecipitableWaterCm + k[2] * cosine + k[3] * log_brightness;
+  });
+}
+
+double direct_efficacy(double clearness, double brightness, double sun_zenith_rad, PerezBins bins) {
+  const double low_sun = std::exp(5.73 * sun_zenith_rad - 5.0);
+  return efficacy(clearness, bins, [&](std::size_t bin) {
+    const auto& k = kDirectEfficacy[bin];
+    return std::max(k[0] + k[1] * kPrecipitableWaterCm + k[2] * low_sun + k[3] * clamped_brightness(brightness), 0.0);
+  });
 }
 
 }  // namespace render

@@ -23,7 +23,8 @@ double sky_clearness(double dni_wm2, double dhi_wm2, double sun_zenith_rad);
 // Sky brightness, Perez 1990 eq. 2, with the relative air mass of Kasten 1966, as they used it. Within [0.01, 0.6].
 double sky_brightness(double dhi_wm2, double sun_zenith_rad, double extraterrestrial_normal_wm2);
 
-// The diffuse horizontal irradiance in W/m2 that has that brightness: the inverse of sky_brightness().
+// The irradiances in W/m2 that have that clearness and brightness: the inverses of the two above. 0 with clearness 1.
+double dni_from_clearness(double clearness, double dhi_wm2, double sun_zenith_rad);
 double dhi_from_brightness(double brightness, double sun_zenith_rad, double extraterrestrial_normal_wm2);
 
 // Whether the coefficients change in steps at the limits of the eight clearness bins, as published, or are interpolated
@@ -40,9 +41,13 @@ PerezShape perez_shape(double clearness, double brightness, double sun_zenith_ra
 // the tables give skies that are negative there, and then everywhere once they are normalised.
 PerezShape without_dark_zenith(PerezShape shape);
 
-// Luminous efficacy in lm/W of diffuse and of direct light (Perez 1990, eq. 7 and 8, tables 4), by clearness,
-// brightness and zenith angle, for 2 cm of precipitable water.
-double diffuse_efficacy(double clearness, double brightness, double sun_zenith_rad);
-double direct_efficacy(double clearness, double brightness, double sun_zenith_rad);
+// The brightness that perez_shape() works with in the bin of `clearness` when it is asked for `brightness`.
+double held_brightness(double clearness, double brightness, double sun_zenith_rad);
+
+// Luminous efficacy in lm/W of diffuse and of direct light (Perez 1990, eq. 7 and 8, table 4), by clearness,
+// brightness (held in [0.01, 0.6]) and zenith angle, for 2 cm of precipitable water. Its bins jump by up to 4 %:
+// interpolated like the shape's.
+double diffuse_efficacy(double clearness, double brightness, double sun_zenith_rad, PerezBins bins);
+double direct_efficacy(double clearness, double brightness, double sun_zenith_rad, PerezBins bins);
 
 }  // namespace render

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/sky/moon.h"
 #include "render/sky/perez.h"
@@ -54,13 +55,20 @@ struct SkyOptions {
   // perez; preetham (as published, 2.3 times too bright), preetham:rescaled; cie:1 ... cie:15; scattering; reference;
   // image:FILE; none
   std::string model = "perez";
-  double turbidity = 3.0;  // Linke's
+  double turbidity = kClearTurbidity;  // Linke's
   PerezBins bins = PerezBins::Interpolated;
   std::optional<SkyIrradiance> irradiance = std::nullopt;  // perez only
   CloudOptions clouds = {};
   std::optional<MoonPosition> moon = std::nullopt;       // lights the night; absent: no moon
   std::optional<SkyCondition> condition = std::nullopt;  // perez only; before irradiance
+  double height_m = 0.0;                                 // of the place above the sea: thinner air, darker sky
 };
+
+// What of these options lies outside the chosen model's range for that sun, and what is done instead: a sentence each.
+std::vector<std::string> beyond_range(const SkyOptions& options, const SunPosition& sun);
+
+// Lux that given irradiances, or a given condition, put on a plane facing the sun; nothing where neither is given.
+std::optional<double> given_sun_lux(const SkyOptions& options, const SunPosition& sun);
 
 // A sky for that sun, from noon to night. Throws std::runtime_error that names an unknown model and lists the known
 // ones, or says what is wrong with a picture. Every sky but `none` gets clouds, and with the sun down moon and airglow.

@@ -32,14 +32,20 @@ struct SunPosition {
 SunPosition sun_position(const Place& place, UtcTime time, SunTier tier = SunTier::Precise,
                          const Weather& weather = {});
 
+// Linke turbidity of a clear sky: the mean of clear days in Europe, and what lighting simulation takes where nothing is
+// said (Radiance's gensky).
+inline constexpr double kClearTurbidity = 2.45;
+
 // What of the sun's light arrives at the ground.
 struct SunLight {
-  glm::dvec3 illuminance_rgb{0.0};  // lux on a plane that faces the sun, Rec. 709 linear; 0 when the disc is down
-  double visible_disc_fraction = 0.0;
+  glm::dvec3 illuminance_rgb{0.0};     // lux on a plane that faces the sun, Rec. 709 linear; 0 when the disc is down
+  double visible_disc_fraction = 0.0;  // of its area
+  // Radius of an even disc that casts penumbrae as wide as the sun's, whose limb is dark: for soft shadows.
+  double shadow_radius_rad = 0.0;
 };
 
-// Direct light after the atmosphere: Rayleigh, aerosol by `turbidity` (Linke-style, as Preetham 1999 appendix A.1
-// uses it), ozone, water vapour and mixed gases, times the fraction of the disc above the horizon.
+// Direct light after the atmosphere: Rayleigh, aerosol by `turbidity` (as Preetham 1999 appendix A.1 uses it), ozone,
+// water vapour and mixed gases, times the share of the disc's light above the horizon (limb_darkening.h).
 SunLight sun_light(const SunPosition& sun, double turbidity, double height_m = 0.0);
 
 }  // namespace render

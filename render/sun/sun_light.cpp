@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "render/sun/air_mass.h"
+#include "render/sun/limb_darkening.h"
 #include "render/sun/spectrum.h"
 #include "render/sun/sun.h"
 
@@ -49,13 +50,16 @@ double disc_fraction(double apparent_elevation_rad, double angular_radius_rad) {
 
 SunLight sun_light(const SunPosition& sun, double turbidity, double height_m) {
   SunLight light;
+  light.shadow_radius_rad = even_disc_radius() * sun.angular_radius_rad;
   light.visible_disc_fraction = disc_fraction(sun.apparent_elevation_rad, sun.angular_radius_rad);
   if (light.visible_disc_fraction <= 0.0) return light;
   const double air_mass = relative_air_mass(sun.apparent_elevation_rad) * std::exp(-height_m / kScaleHeightM);
-  const double arriving = light.visible_disc_fraction / (sun.distance_au * sun.distance_au);
+  const double nearness = 1.0 / (sun.distance_au * sun.distance_au);
+  const double height = sun.apparent_elevation_rad / sun.angular_radius_rad;  // of the disc's middle, in radii
   Spectrum spectrum = extraterrestrial_irradiance();
   for (int i = 0; i < kSpectrumSamples; ++i) {
-    spectrum[static_cast<std::size_t>(i)] *= arriving * transmittance(i, air_mass, turbidity);
+    spectrum[static_cast<std::size_t>(i)] *=
+        nearness * visible_light_share(height, wavelength_nm(i)) * transmittance(i, air_mass, turbidity);
   }
   light.illuminance_rgb = clip_to_gamut(rgb_from_xyz(xyz_from_spectrum(spectrum)));
   return light;

@@ -53,9 +53,21 @@ TEST(SunBatch, WritesTheGivenColumnsWithTheSunsAndIgnoresOthers) {
   EXPECT_FALSE(csv.next());
 }
 
-TEST(SunBatch, AcceptsTheLeapSecondLabel) {
-  EXPECT_THAT(batch("utc,lat_deg,lon_deg,height_m\n2016-12-31T23:59:60Z,0,0,0\n"),
-              HasSubstr("2016-12-31T23:59:60Z,0,0,0,"));
+// edge case 5
+TEST(SunBatch, TakesTheLeapSecondLabelAsTheNextSecond) {
+  const std::string head = "utc,lat_deg,lon_deg,height_m\n";
+  const std::string labelled = batch(head + "2016-12-31T23:59:60Z,0,0,0\n");
+  const std::string next = batch(head + "2017-01-01T00:00:00Z,0,0,0\n");
+  ASSERT_THAT(labelled, HasSubstr("2016-12-31T23:59:60Z,0,0,0,"));
+  EXPECT_EQ(labelled.substr(labelled.find("Z,")), next.substr(next.find("Z,")));
+}
+
+// edge case 6
+TEST(SunBatch, ReadsOffsetsFromUtc) {
+  const std::string head = "utc,lat_deg,lon_deg,height_m\n";
+  const std::string utc = batch(head + "2024-06-21T07:30:00Z,48,2,0\n");
+  const std::string summer_time = batch(head + "2024-06-21T09:30:00+02:00,48,2,0\n");
+  EXPECT_EQ(utc.substr(utc.find(",48,")), summer_time.substr(summer_time.find(",48,")));
 }
 
 TEST(SunBatch, NamesFileLineAndColumnOfWhatIsWrong) {
