@@ -63,9 +63,7 @@ void add_outputs(CLI::App& command, ProcessArguments& arguments) {
 }
 
 void add_rendering(CLI::App& command, ProcessArguments& arguments) {
-  command.add_option(
-      "--shafts", arguments.shafts,
-      "Light shafts: auto, closed-form or march[:steps=N,divisor=N]; default: the scene's quality.shafts");
+  command.add_option("--shafts", arguments.shafts, shafts_help());
   command
       .add_option("--egl-device", arguments.options.egl_device,
                   "Number of the GL device as `skyshaft doctor` lists them; default: hardware first")

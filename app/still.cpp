@@ -41,9 +41,7 @@ void add_still_options(CLI::App& command, StillArguments& arguments) {
                      "LAT,LON[,HEIGHT]: degrees north, degrees east, metres; default: the scene's");
   command.add_option("--time", arguments.time, "2024-06-21T07:30:00Z or with an offset; default: the scene's");
   command.add_option("--size", arguments.size, "WIDTHxHEIGHT of the picture, pixels; default: 1280x720");
-  command.add_option(
-      "--shafts", arguments.shafts,
-      "Light shafts: auto, closed-form or march[:steps=N,divisor=N]; default: the scene's quality.shafts");
+  command.add_option("--shafts", arguments.shafts, shafts_help());
 }
 
 Still make_still(const StillArguments& arguments) {

@@ -60,9 +60,7 @@ Json settings_json(const ProcessOptions& options, const RunFacts& facts) {
   return {{"codec", name_of(options.sink.codec)},
           {"crf", options.sink.crf},
           {"preset", options.sink.preset},
-          {"shafts", facts.plan.shafts.technique},
-          {"shaft_steps", facts.plan.shafts.steps},
-          {"shaft_divisor", facts.plan.shafts.divisor},
+          {"shafts", render::to_text(facts.plan.shafts)},
           {"shadow_map_size", facts.plan.shadow_map_size},
           {"exposure", facts.exposure},
           {"exposure_from", facts.exposure_origin}};

@@ -31,6 +31,22 @@ std::string count(int n, const char* kind) {
   return fmt::format("{} {} thing{}", n, kind, n == 1 ? "" : "s");
 }
 
+// "interleaved: steps 64, divisor 2"
+std::string described(const ShaftSettings& shafts) {
+  std::string text = shafts.technique;
+  const ShaftTechniqueInfo* info = find_shaft_technique(shafts.technique);
+  if (info == nullptr) return text;
+  const char* separator = ": ";
+  for (const ShaftKnob& knob : info->knobs) {
+    const double value = shafts.number(knob.name);
+    text += knob.choices.empty()
+                ? fmt::format("{}{} {:g}", separator, knob.name, value)
+                : fmt::format("{}{} {}", separator, knob.name, knob.choices.at(static_cast<std::size_t>(value)));
+    separator = ", ";
+  }
+  return text;
+}
+
 class Planner {
  public:
   Planner(const SceneState& scene, const Quality& quality) : scene_(scene), quality_(quality), needs_(needs_of(scene)) {
@@ -74,7 +90,7 @@ class Planner {
 
   void resolve_technique() {
     if (plan_.shafts.technique != "auto") return;
-    plan_.shafts.technique = needs_.sun && needs_.casters ? "march" : "closed-form";
+    plan_.shafts.technique = needs_.sun && needs_.casters ? "interleaved" : "closed-form";
   }
 
   void plan_shadow() {
@@ -100,15 +116,11 @@ class Planner {
   void plan_shafts() {
     if (!scene_.medium) return omit("shafts", "the scene has no medium");
     if (!needs_.medium) return omit("shafts", "the medium's extinction is zero");
-    const ShaftSettings& shafts = plan_.shafts;
-    const std::string scale = shafts.divisor == 1 ? "full size" : fmt::format("1/{} size", shafts.divisor);
-    if (shafts.technique == "march") {
-      add(PassKind::Shafts, "shafts", fmt::format("march, {} steps, {}", shafts.steps, scale),
-          "a medium, and casters that carve shafts into the sunlight");
-      return;
-    }
-    add(PassKind::Shafts, "shafts", fmt::format("{}, {}", shafts.technique, scale),
-        !needs_.sun ? "a medium lit by the sky alone" : "a medium with nothing between it and the sun");
+    const bool shaded = needs_.sun && needs_.casters;
+    add(PassKind::Shafts, "shafts", described(plan_.shafts),
+        shaded        ? "a medium, and casters that carve shafts into the sunlight"
+        : !needs_.sun ? "a medium lit by the sky alone"
+                      : "a medium with nothing between it and the sun");
   }
 
   const SceneState& scene_;

@@ -4,17 +4,11 @@
 #include <vector>
 
 #include "render/plan/scene_state.h"
+#include "render/shafts/shaft_settings.h"
 
 namespace render {
 
 enum class PassKind { Upload, SunShadow, Objects, Shafts, Composite, Read };
-
-// How the shafts are to be computed, as `--shafts NAME[:key=value,...]` says.
-struct ShaftSettings {
-  std::string technique = "auto";  // auto, closed-form, march
-  int steps = 64;
-  int divisor = 2;  // shafts are computed at 1/divisor of the picture's width and height, then upsampled by depth
-};
 
 struct Pass {
   PassKind kind;

@@ -24,10 +24,6 @@ const Pass* find(const Plan& plan, PassKind kind) {
   return nullptr;
 }
 
-bool same(const ShaftSettings& a, const ShaftSettings& b) {
-  return a.technique == b.technique && a.steps == b.steps && a.divisor == b.divisor;
-}
-
 // What decides the background of a still.
 struct BackgroundKey {
   std::shared_ptr<const SkyModel> sky;
@@ -90,7 +86,7 @@ struct Renderer::Impl {
       objects_pass.emplace(plan.anti_alias ? 4 : 1);
       anti_alias = plan.anti_alias;
     }
-    if (!shafts_technique || !same(shafts_settings, plan.shafts)) {
+    if (!shafts_technique || shafts_settings != plan.shafts) {
       shafts_technique = make_shaft_technique(plan.shafts);
       shafts_settings = plan.shafts;
     }

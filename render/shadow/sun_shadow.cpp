@@ -199,6 +199,15 @@ void SunShadow::bind_bounds(Casters kind, const gl::Program& program, int unit) 
   program.set(prefix + "reach", slot.bounds.reach_texels() / static_cast<float>(slot.map.size_px));
 }
 
+void SunShadow::bind_depth(Casters kind, int unit) const {
+  impl_->slot(kind).depth.bind(unit);
+  glBindSampler(static_cast<GLuint>(unit), impl_->plain_sampler);
+}
+
+void SunShadow::unbind_depth(int unit) {
+  glBindSampler(static_cast<GLuint>(unit), 0);
+}
+
 void SunShadow::unbind(int first_unit) {
   glBindSampler(static_cast<GLuint>(first_unit + 1), 0);
 }

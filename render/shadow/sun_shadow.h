@@ -42,7 +42,10 @@ class SunShadow {
   // that shaders/shadow/sun_map.glsl declares for it. `prefix` is "virtual" or "real".
   void bind(Casters kind, const View& view, const gl::Program& program, int first_unit) const;
   static void unbind(int first_unit);  // lets go of the units' samplers
-  // The same for the bounds of its depths (DepthBounds), on one texture unit.
+  // Binds the plain depth alone; 0 to 1, an empty texel holds 1. unbind_depth() lets go of the unit's sampler.
+  void bind_depth(Casters kind, int unit) const;
+  static void unbind_depth(int unit);
+  // The same as bind() for the bounds of its depths (DepthBounds), on one texture unit.
   void bind_bounds(Casters kind, const gl::Program& program, int unit) const;
 
  private:

@@ -4,6 +4,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
+#include "render/shafts/shaft_target.h"
+
 namespace render {
 namespace {
 
@@ -39,6 +41,19 @@ void CasterMap::update(const ShaftInputs& inputs) {
   made_ = true;
   empty_ = std::ranges::all_of(kKinds, [&](Casters kind) { return inputs.shadow.map(kind).fit.empty; });
   if (empty_) return;
+  only_.reset();
+  if (coarseness_ == 1) {
+    for (std::size_t i = 0; i < kKinds.size(); ++i) {
+      if (inputs.shadow.map(kKinds[1 - i]).fit.empty) only_ = kKinds[i];
+    }
+  }
+  if (only_) {
+    const ShadowMap& map = inputs.shadow.map(*only_);
+    map_from_world_ = map.fit.map_from_world;
+    size_m_ = map.fit.metres_per_unit;
+    size_px_ = glm::ivec2(map.size_px);
+    return;
+  }
   place(inputs);
   draw(inputs);
 }
@@ -64,30 +79,43 @@ void CasterMap::place(const ShaftInputs& inputs) {
       all.high[axis] = high;
     }
   }
-  map_from_world_ =
-      glm::scale(glm::dmat4(1.0), 1.0 / (all.high - all.low)) * glm::translate(glm::dmat4(1.0), -all.low) * axes;
+  size_m_ = all.high - all.low;
+  map_from_world_ = glm::scale(glm::dmat4(1.0), 1.0 / size_m_) * glm::translate(glm::dmat4(1.0), -all.low) * axes;
+}
+
+glm::ivec2 CasterMap::wanted_size(const ShaftInputs& inputs) const {
+  int largest = 1;
+  glm::dvec2 texel_m(std::numeric_limits<double>::infinity());
+  for (const Casters kind : kKinds) {
+    const ShadowMap& map = inputs.shadow.map(kind);
+    if (map.fit.empty) continue;
+    largest = std::max(largest, map.size_px);
+    texel_m = glm::min(texel_m, glm::dvec2(map.fit.metres_per_unit) / static_cast<double>(map.size_px));
+  }
+  if (coarseness_ != 1) return glm::ivec2((largest + coarseness_ - 1) / coarseness_);
+  const glm::dvec2 needed = glm::ceil(glm::dvec2(size_m_) / texel_m - 1e-6);
+  return glm::ivec2(glm::clamp(needed, 1.0, std::min(2.0 * largest, 8192.0)));
 }
 
 void CasterMap::draw(const ShaftInputs& inputs) {
-  int size_px = 1;
   int present = 0;
   gl::Defines defines;
   for (std::size_t i = 0; i < kKinds.size(); ++i) {
-    const ShadowMap& map = inputs.shadow.map(kKinds[i]);
-    if (map.fit.empty) continue;
-    size_px = std::max(size_px, (map.size_px + 1) / 2);
+    if (inputs.shadow.map(kKinds[i]).fit.empty) continue;
     present |= 1 << i;
     defines.push_back({i == 0 ? "VIRTUAL_CASTERS" : "REAL_CASTERS"});
   }
-  if (depth_.width() != size_px) {
-    depth_ = gl::Texture(GL_R32F, size_px, size_px, gl::Filter::Nearest, 1, "first casters");
+  size_px_ = wanted_size(inputs);
+  if (depth_.width() != size_px_.x || depth_.height() != size_px_.y) {
+    depth_ = gl::Texture(GL_R32F, size_px_.x, size_px_.y, gl::Filter::Nearest, 1, "first casters");
     framebuffer_ = gl::Framebuffer({&depth_}, nullptr, "first casters");
   }
   const gl::Program& program =
       programs_.try_emplace(present, "lib/full_screen.vert", "shafts/caster_map.frag", defines).first->second;
+  plain_state();
   framebuffer_.bind();
   program.use();
-  program.set("texel", 1.0F / static_cast<float>(size_px));
+  program.set("texel", 1.0F / glm::vec2(size_px_));
   for (std::size_t i = 0; i < kKinds.size(); ++i) {
     const ShadowFit& fit = inputs.shadow.map(kKinds[i]).fit;
     if (fit.empty) continue;
@@ -99,6 +127,18 @@ void CasterMap::draw(const ShaftInputs& inputs) {
   }
   gl::draw_full_screen(no_vertices_);
   for (const int unit : kUnits) SunShadow::unbind(unit);
+}
+
+void CasterMap::bind(const gl::Program& program, const ShaftInputs& inputs, int unit) const {
+  const glm::dvec2 texel_m = glm::dvec2(size_m_) / glm::dvec2(size_px_);
+  program.set("map_from_local", glm::mat4(map_from_world_ * glm::inverse(inputs.view.local_from_world())));
+  program.set("end_margin_m", static_cast<float>(3.0 * std::max(texel_m.x, texel_m.y)));
+  program.set("caster_depth", unit);
+  if (only_) {
+    inputs.shadow.bind_depth(*only_, unit);
+  } else {
+    depth_.bind(unit);
+  }
 }
 
 }  // namespace render

@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <map>
+#include <optional>
 
 #include "render/gl/buffer.h"
 #include "render/gl/framebuffer.h"
@@ -12,16 +13,22 @@
 namespace render {
 
 // What a march along view rays looks up: the first caster of any kind on the light's way, cut to where the medium can
-// be shaded. Half as many texels across as the shadow maps: small enough for a processor's caches, and still finer
-// than the pixels of a shaft picture. Made anew when a shadow map or the medium's box has changed.
+// be shaded. Made anew when a shadow map or the medium's box has changed.
 class CasterMap {
  public:
+  // 1: with the texels of the finer shadow map, up to twice as many across as it has; where there is only one shadow
+  // map, that itself. 2: half as many across as the shadow maps, small enough for a processor's caches.
+  explicit CasterMap(int coarseness) : coarseness_(coarseness) {}
+
   // Changes framebuffer, viewport and program when it draws.
   void update(const ShaftInputs& inputs);
 
-  bool empty() const { return empty_; }                  // no casters
-  const gl::Texture& texture() const { return depth_; }  // R32F
-  // (u, v, depth): u and v 0 to 1 inside the map, depth along the light's travel from 0, before all casters.
+  bool empty() const { return empty_; }  // no casters
+  // To that texture unit, with all that shaders/shafts/caster_depth.glsl needs. unbind() lets go of the unit.
+  void bind(const gl::Program& program, const ShaftInputs& inputs, int unit) const;
+  static void unbind(int unit) { SunShadow::unbind_depth(unit); }
+  glm::ivec2 size_px() const { return size_px_; }
+  // (u, v, depth): u and v 0 to 1 inside the map, depth along the light's travel, 0 to 1 where casters are.
   const glm::dmat4& map_from_world() const { return map_from_world_; }
 
  private:
@@ -33,12 +40,17 @@ class CasterMap {
   };
 
   void place(const ShaftInputs& inputs);
+  glm::ivec2 wanted_size(const ShaftInputs& inputs) const;
   void draw(const ShaftInputs& inputs);
 
   Key key_;
+  int coarseness_;
   bool made_ = false;
   bool empty_ = true;
+  std::optional<Casters> only_;  // this shadow map stands for all; then nothing is drawn
+  glm::ivec2 size_px_{1};
   glm::dmat4 map_from_world_{1.0};
+  glm::dvec3 size_m_{1.0};
   gl::Texture depth_;
   gl::Framebuffer framebuffer_;
   std::map<int, gl::Program> programs_;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "render/shafts/shade_pass.h"
+#include "render/shafts/air_program.h"
+#include "render/shafts/shaft_target.h"
 
 namespace render {
 
@@ -10,12 +11,19 @@ class ClosedForm : public ShaftTechnique {
   explicit ClosedForm(int divisor) : divisor_(divisor) {}
 
   const ShaftPicture& draw(const ShaftInputs& inputs) override {
-    return shade_.draw(inputs, shaft_size(inputs.view, divisor_), nullptr);
+    const glm::ivec2 size_px = shaft_size(inputs.view, divisor_);
+    target_.begin(inputs, size_px);
+    shade_.use(inputs, size_px);
+    gl::draw_full_screen(no_vertices_);
+    glDisable(GL_SCISSOR_TEST);
+    return target_.picture();
   }
 
  private:
   int divisor_;
-  ShadePass shade_;
+  AirProgram shade_{"shafts/shade.frag"};
+  ShaftTarget target_;
+  gl::VertexArray no_vertices_;
 };
 
 }  // namespace render

@@ -1,35 +1,37 @@
 #pragma once
 
-#include <array>
-#include <map>
-
+#include "render/shafts/air_program.h"
 #include "render/shafts/caster_map.h"
-#include "render/shafts/shade_pass.h"
+#include "render/shafts/closed_form.h"
+#include "render/shafts/shaft_target.h"
 
 namespace render {
 
-// Ray marching against a map of the casters with interleaved step offsets and a depth-aware average over their tile
-// (Toth & Umenhoffer 2009). Where a ray leaves the space that casters can shade, closed forms take over.
+// How a march's steps lie along a ray.
+struct MarchSteps {
+  int count = 256;
+  int spacing = 0;          // equal lengths, equal optical depths, or growing (Tan 2020, algorithm 1)
+  double near_share = 0.5;  // growing: this share of the steps has equal lengths
+  double near_m = 2.0;      // up to this far into the medium
+
+  void set(const gl::Program& program) const;  // what shaders/shafts/steps.glsl needs
+};
+
+// Brute force: every pixel marches its own ray against a map of the casters, and stops where nothing more is seen.
 class March : public ShaftTechnique {
  public:
-  March(int steps, int divisor) : steps_((steps + 3) / 4 * 4), divisor_(divisor) {}
+  March(const MarchSteps& steps, int divisor) : steps_(steps), divisor_(divisor), open_(divisor) {}
 
   const ShaftPicture& draw(const ShaftInputs& inputs) override;
 
  private:
-  const gl::Program& program(const ShaftInputs& inputs);
-  void make_targets(const glm::ivec2& size_px);
-  void average_rows();  // from lit_[0] to lit_[1]
-
-  int steps_;  // a multiple of 4
+  MarchSteps steps_;
   int divisor_;
-  CasterMap casters_;
-  std::map<int, gl::Program> programs_;
-  gl::Program blur_{"lib/full_screen.vert", "shafts/blur.frag"};
-  std::array<gl::Texture, 2> lit_;
-  std::array<gl::Framebuffer, 2> lit_target_;
+  CasterMap casters_{1};
+  AirProgram march_{"shafts/march.frag"};
   gl::VertexArray no_vertices_;
-  ShadePass shade_;
+  ShaftTarget target_;
+  ClosedForm open_;
 };
 
 }  // namespace render

@@ -4,10 +4,10 @@
 
 #include <memory>
 
-#include "render/plan/plan.h"
 #include "render/plan/scene_state.h"
 #include "render/scene/view.h"
 #include "render/shadow/sun_shadow.h"
+#include "render/shafts/shaft_settings.h"
 
 namespace render {
 
@@ -39,8 +39,7 @@ class ShaftTechnique {
   virtual const ShaftPicture& draw(const ShaftInputs& inputs) = 0;
 };
 
-// `closed-form` (nothing occludes: analytic) or `march` (settings.steps steps a ray). Throws std::runtime_error that
-// lists the known names.
+// By shaft_techniques(). Throws std::runtime_error for an unknown name, "auto" too.
 std::unique_ptr<ShaftTechnique> make_shaft_technique(const ShaftSettings& settings);
 
 }  // namespace render

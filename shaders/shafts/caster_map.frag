@@ -6,7 +6,7 @@
 // variant: VIRTUAL_CASTERS REAL_CASTERS
 precision highp float;
 
-uniform float texel;  // 1 / this map's size
+uniform vec2 texel;  // 1 / this map's size
 uniform highp sampler2D virtual_depth;
 uniform highp sampler2D real_depth;
 // Coordinates of the shadow maps are scale * this map's + low: all look along the same axes.

@@ -1,4 +1,4 @@
-// A homogeneous medium along a view ray (DESIGN.md section 5). Pure functions, written in the part of GLSL that GLM
+// A medium, homogeneous or thinning out with height, along a view ray (DESIGN.md section 5). Pure functions, written in the part of GLSL that GLM
 // compiles as C++ too, so that the tests need no GPU. Lengths in metres, extinction in 1/m.
 
 // (1 - exp(-x)) / x, for any x that does not overflow; 1 at x = 0.
@@ -19,6 +19,21 @@ float attenuated_fraction(float extinction, float start, float slope, float leng
   float x = slope * length_m;
   // Count from the end with the lower optical depth: both exponents stay <= 0.
   return extinction * length_m * exp(-min(start, start + x)) * fall_off(abs(x));
+}
+
+// Optical depth of a straight way through air whose extinction is exp(log_extinction - height), heights in scale
+// heights: extinction of the lower end times the length times (1 - exp(-x)) / x with x the rise. Stays finite.
+float falloff_depth(float log_extinction, float height_a, float height_b, float length_m) {
+  float low = exp(clamp(log_extinction - min(height_a, height_b), -80.0f, 40.0f));
+  return min(low * length_m * fall_off(abs(height_b - height_a)), 1e30f);
+}
+
+// Length of the way from a point of that extinction, along which the height grows by `rise` scale heights a metre,
+// that has this optical depth; 1e20 where none has.
+float falloff_length(float extinction, float rise, float depth) {
+  float x = rise * depth / max(extinction, 1e-30f);
+  if (abs(x) < 1e-3f) return depth / max(extinction, 1e-20f) * (1.0f + 0.5f * x);
+  return x < 1.0f ? -log(1.0f - x) / rise : 1e20f;
 }
 
 // Phase functions, 1/sr; cos_theta as in render/medium/medium.h.

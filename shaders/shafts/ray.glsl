@@ -1,4 +1,5 @@
-// The view ray of a shaft pixel, and the medium's stretch of it. Shared by the passes of all techniques.
+// The view ray of a shaft pixel, the medium's stretch of it, and the sun's light in it. Shared by all techniques.
+// BOUNDED: the medium is a box. FALLOFF: it thins out with height.
 #ifndef OUT
 #define OUT(type) out type
 #endif
@@ -7,14 +8,19 @@
 uniform mat3 local_ray_from_px;  // render/scene/view.h
 uniform vec2 view_px_per_px;     // pixels of the ideal picture in one of this
 uniform float near_m;            // View::kNearM
-uniform float extinction;        // 1/m
+uniform float extinction;        // 1/m; with FALLOFF, at the eye
 #ifdef BOUNDED
 uniform vec3 box_low_in_local;
 uniform vec3 box_high_in_local;
 uniform vec3 sun_direction_in_local;
 #endif
+#ifdef FALLOFF
+uniform float log_extinction;  // of the extinction at the eye
+uniform float scale_height_m;
+#endif
 
-const float kSkyM = 1e9;  // what stands for no surface at all
+const float kSkyM = 1e9;     // what stands for no surface at all
+const float kDeepest = 12.0;  // nothing beyond this optical depth is seen: exp(-12) = 6e-6
 
 struct Ray {
   vec3 direction;  // unit, from the eye (the origin)
@@ -30,21 +36,105 @@ Ray view_ray(vec2 pixel) {
 // The stretch of the ray, up to the surface at z metres along the camera's axis, that lies in the medium.
 vec2 medium_stretch(Ray ray, float z) {
   vec2 stretch = vec2(0.0, z < kSkyM ? z * ray.metres_per_z : 1e18);
+#ifdef FALLOFF
+  stretch.y = min(stretch.y, 1e10);
+#endif
 #ifdef BOUNDED
   stretch = intersect(stretch, box_stretch(vec3(0.0), ray.direction, box_low_in_local, box_high_in_local));
 #endif
   return stretch;
 }
 
-// Part of the sun's light, at phase function and albedo 1, that a stretch of the medium sends to the eye when nothing
-// shades it. `entry` is where the ray enters the medium.
-float sunlit_fraction(Ray ray, vec2 stretch, float entry) {
+// The air along a ray that enters the medium `entry` metres from the eye.
+struct Air {
+  float entry;
 #ifdef BOUNDED
-  vec3 line_a;
+  vec3 line_a;  // sun_path_lines()
   vec3 line_b;
-  sun_path_lines(vec3(0.0), ray.direction, box_low_in_local, box_high_in_local, sun_direction_in_local, line_a, line_b);
-  return bounded_fraction(extinction, stretch, entry, line_a, line_b);
+#endif
+#ifdef FALLOFF
+  float rise;  // scale heights for a metre along the ray
+#endif
+};
+
+Air air_along(Ray ray, float entry) {
+  Air air;
+  air.entry = entry;
+#ifdef BOUNDED
+  sun_path_lines(vec3(0.0), ray.direction, box_low_in_local, box_high_in_local, sun_direction_in_local, air.line_a,
+                 air.line_b);
+#endif
+#ifdef FALLOFF
+  air.rise = ray.direction.z / scale_height_m;
+#endif
+  return air;
+}
+
+// Optical depth from where the ray enters the medium to t metres from the eye.
+float view_depth_to(Air air, float t) {
+#ifdef FALLOFF
+  return falloff_depth(log_extinction, air.rise * air.entry, air.rise * t, t - air.entry);
 #else
-  return unbounded_fraction(extinction, stretch);
+  return extinction * (t - air.entry);
+#endif
+}
+
+// Optical depth of the light's own way through the medium to that point. A medium without bounds takes the sun's light
+// as given everywhere.
+float sun_depth_to(Air air, float t) {
+#ifdef BOUNDED
+  float way = sun_path(air.line_a, air.line_b, t);
+#ifdef FALLOFF
+  float height = air.rise * t;
+  return falloff_depth(log_extinction, height, height + way * sun_direction_in_local.z / scale_height_m, way);
+#else
+  return extinction * way;
+#endif
+#else
+  return 0.0;
+#endif
+}
+
+// How far from the eye that optical depth is reached, counted from the entry.
+float way_of_depth(Air air, float depth) {
+#ifdef FALLOFF
+  float at_entry = exp(clamp(log_extinction - air.rise * air.entry, -80.0, 40.0));
+  return air.entry + falloff_length(at_entry, air.rise, depth);
+#else
+  return air.entry + depth / max(extinction, 1e-20);
+#endif
+}
+
+// x: optical depth of the view's way to a point; y: that and the light's own.
+vec2 depths_to(Air air, float t) {
+  float view = view_depth_to(air, t);
+  return vec2(view, view + sun_depth_to(air, t));
+}
+
+// Part of the sun's light, at phase function and albedo 1, that the way between two points sends to the eye when
+// nothing shades it: integral of exp(-y) dx, exact where y is linear in x: in a homogeneous medium between the kinks
+// of the light's way, and in any unbounded one.
+float sunlight_between(vec2 depths_a, vec2 depths_b) {
+  float scattered = max(depths_b.x - depths_a.x, 0.0);
+  return scattered * exp(-min(depths_a.y, depths_b.y)) * fall_off(abs(depths_b.y - depths_a.y));
+}
+
+// The same for any stretch.
+float sunlight_of(Air air, vec2 stretch) {
+  if (stretch.y <= stretch.x) return 0.0;
+#if defined(BOUNDED) && defined(FALLOFF)
+  const int kPieces = 24;
+  float sum = 0.0;
+  vec2 depths = depths_to(air, stretch.x);
+  for (int i = 1; i <= kPieces; ++i) {
+    vec2 next = depths_to(air, mix(stretch.x, stretch.y, float(i) / float(kPieces)));
+    sum += sunlight_between(depths, next);
+    depths = next;
+  }
+  return sum;
+#elif defined(BOUNDED)
+  return bounded_fraction(extinction, stretch, air.entry, air.line_a, air.line_b);
+#else
+  return sunlight_between(depths_to(air, stretch.x), depths_to(air, stretch.y));
 #endif
 }

@@ -148,12 +148,13 @@ TEST(LightBench, MedianOfEachPassAt1280x720) {
   const ShaftInputs inputs{.scene = scene, .view = view, .depth = picture.depth, .shadow = r.shadow};
   for (const int steps : {32, 64}) {
     for (const int divisor : {1, 2}) {
-      const auto march = make_shaft_technique({.technique = "march", .steps = steps, .divisor = divisor});
+      const auto march =
+          make_shaft_technique({.technique = "interleaved", .knobs = {{"steps", steps}, {"divisor", divisor}}});
       march->draw(inputs);
       report(fmt::format("march steps={} divisor={}", steps, divisor), median_times([&] { march->draw(inputs); }));
     }
   }
-  const auto closed = make_shaft_technique({.technique = "closed-form", .divisor = 2});
+  const auto closed = make_shaft_technique({.technique = "closed-form", .knobs = {{"divisor", 2}}});
   closed->draw(inputs);
   report("closed-form divisor=2", median_times([&] { closed->draw(inputs); }));
   EXPECT_GT(picture.touched.width, 0);
@@ -166,6 +167,8 @@ TEST(LightBench, TheDemosObjectsAt1280x720) {
   dump(r.render(scene), "court");
   const auto objects = [&] { r.objects.draw(scene, view, r.shadow, r.models); };
   report("court: objects", median_times(objects));
+  ObjectsPass plain(1);
+  report("court: objects, no anti-aliasing", median_times([&] { plain.draw(scene, view, r.shadow, r.models); }));
   const std::vector<Instance> all = scene.instances;
   scene.instances.erase(scene.instances.begin() + 2, scene.instances.end());
   r.shadow.update(scene, view, 2048, r.models);
@@ -175,6 +178,8 @@ TEST(LightBench, TheDemosObjectsAt1280x720) {
   scene.instances = all;
   scene.sun.illuminance_rgb = glm::dvec3(0.0);
   report("court: objects, no sun", median_times(objects));
+  report("court: objects, no sun, no anti-aliasing",
+         median_times([&] { plain.draw(scene, view, r.shadow, r.models); }));
 }
 
 // The error is that of the scattered light alone, against 1024 steps at the same size.
@@ -191,11 +196,13 @@ TEST(LightBench, MarchOfTheDemoAt1280x720) {
                            .shadow = r.shadow,
                            .region_px = {seen.x, seen.y, seen.width, seen.height}};
   for (const int divisor : {2, 3}) {
-    const auto fine = make_shaft_technique({.technique = "march", .steps = 1024, .divisor = divisor});
+    const auto fine =
+        make_shaft_technique({.technique = "interleaved", .knobs = {{"steps", 1024}, {"divisor", divisor}}});
     const ShaftPicture& truth_picture = fine->draw(inputs);
     const Pixels truth = read_pixels(truth_picture.texture, truth_picture.width, truth_picture.height, GL_FLOAT);
     for (const int steps : {16, 32, 64}) {
-      const auto march = make_shaft_technique({.technique = "march", .steps = steps, .divisor = divisor});
+      const auto march =
+          make_shaft_technique({.technique = "interleaved", .knobs = {{"steps", steps}, {"divisor", divisor}}});
       const ShaftPicture& drawn = march->draw(inputs);
       const double error = relative_rmse(read_pixels(drawn.texture, drawn.width, drawn.height, GL_FLOAT), truth);
       report(fmt::format("demo steps={} divisor={} error={:.4f}", steps, divisor, error),
@@ -203,7 +210,7 @@ TEST(LightBench, MarchOfTheDemoAt1280x720) {
       EXPECT_LT(error, 0.05);
     }
   }
-  const auto closed = make_shaft_technique({.technique = "closed-form", .divisor = 2});
+  const auto closed = make_shaft_technique({.technique = "closed-form", .knobs = {{"divisor", 2}}});
   closed->draw(inputs);
   report("demo closed-form divisor=2", median_times([&] { closed->draw(inputs); }));
 }

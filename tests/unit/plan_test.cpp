@@ -91,11 +91,11 @@ TEST(Plan, AnOpenMediumIsSolvedInClosedForm) {
   EXPECT_FALSE(plan.has(PassKind::SunShadow));
 }
 
-TEST(Plan, CastersInAMediumAreMarched) {
+TEST(Plan, CastersInAMediumAreInterleaved) {
   SceneState scene = sunlit_scene();
   scene.instances.push_back(box(false));
   scene.medium = haze();
-  EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "march");
+  EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "interleaved");
 }
 
 TEST(Plan, AMediumWithoutExtinctionIsNone) {

@@ -33,7 +33,7 @@ struct LightPictures {
 class LightRig {
  public:
   // The view is the scene's own camera, which has no lens. Shafts only where the scene has a medium.
-  LightPictures render(const SceneState& scene, const ShaftSettings& shafts = {.technique = "march"},
+  LightPictures render(const SceneState& scene, const ShaftSettings& shafts = {.technique = "interleaved"},
                        int shadow_map_size = 2048);
 
   gl::Context context;

@@ -8,7 +8,7 @@
 namespace render::test {
 namespace {
 
-constexpr ShaftSettings kMarch{.technique = "march", .steps = 64, .divisor = 1};
+const ShaftSettings kMarch{.technique = "interleaved", .knobs = {{"steps", 64}, {"divisor", 1}}};
 constexpr float kHalf = 2e-3F;  // half floats hold 11 bits; the closed forms are compared to four times that
 
 Medium haze(double extinction_per_m, double g) {
@@ -39,13 +39,13 @@ double sun_source(const SceneState& scene, const glm::dvec3& ray) {
 }
 
 TEST(Shafts, WithoutOccludersTheyAreTheClosedFormUpToTheGround) {
-  for (const char* technique : {"closed-form", "march"}) {
+  for (const char* technique : {"closed-form", "march", "interleaved"}) {
     for (const PhaseFunction function :
          {PhaseFunction::HenyeyGreenstein, PhaseFunction::CornetteShanks, PhaseFunction::Rayleigh}) {
       SceneState scene = level_view();
       scene.medium->phase_function = function;
       scene.instances = {place(make_ground(), glm::dvec3(0.0), true)};
-      const LightPictures pictures = rig().render(scene, {.technique = technique, .steps = 32, .divisor = 1});
+      const LightPictures pictures = rig().render(scene, {.technique = technique, .knobs = {{"divisor", 1}}});
       for (const int y : {30, 36, 47}) {
         const glm::dvec3 ray = direction(scene, 20, y);
         const double distance = 1.5 / -ray.z;
@@ -95,7 +95,8 @@ TEST(Shafts, LargeSlabCutsTheLightWhereGeometrySays) {
   scene.sun.direction_in_world = sun_direction(0.0, 45.0);  // from the north, ahead
   // A slab 3 m above the eye, its southern edge at y = 8: the shadow's edge meets the eye's height at y = 5.
   scene.instances = {place(make_box({1000.0, 1000.0, 0.01}), {0.0, 508.0, 4.5}, false)};
-  const LightPictures pictures = rig().render(scene, {.technique = "march", .steps = 128, .divisor = 1});
+  const LightPictures pictures =
+      rig().render(scene, {.technique = "interleaved", .knobs = {{"steps", 128}, {"divisor", 1}}});
   const glm::dvec3 ray = direction(scene, 32, 24);
   const double lit = (8.0 - 3.0) / ray.y;
   const double expected = sun_source(scene, ray) * scattered_fraction(0.1, lit);
@@ -114,7 +115,7 @@ TEST(Shafts, ExtremesStayFiniteAndNeverExceedTheUnshadedForm) {
         scene.instances = {place(make_ground(), glm::dvec3(0.0), true),
                            place(make_box({0.3, 0.3, 2.0}), {0.5, 6.0, 1.0}, false)};
         const LightPictures marched = rig().render(scene, kMarch);
-        const LightPictures closed = rig().render(scene, {.technique = "closed-form", .divisor = 1});
+        const LightPictures closed = rig().render(scene, {.technique = "closed-form", .knobs = {{"divisor", 1}}});
         for (std::size_t i = 0; i < marched.shafts.rgba.size(); ++i) {
           const glm::vec4 m = marched.shafts.rgba[i];
           ASSERT_TRUE(std::isfinite(m.r) && std::isfinite(m.a)) << extinction << " " << g;
@@ -157,7 +158,8 @@ TEST(Shafts, DarkShaftRunsAlongTheSun) {
     scene.instances = {place(make_box({0.01, 8.0, 1.0}), {1.0, 0.0, 3.0}, false)};
     scene.medium = haze(0.02, 0.7);
     scene.medium->extent = Box{{-4.0, -4.0, 0.0}, {4.0, 4.0, 5.0}};
-    const LightPictures pictures = rig().render(scene, {.technique = "march", .steps = 64, .divisor = 1});
+    const LightPictures pictures =
+        rig().render(scene, {.technique = "interleaved", .knobs = {{"steps", 64}, {"divisor", 1}}});
     dump(pictures, "shaft_" + std::to_string(static_cast<int>(elevation)), 0.0F);
     // The boundary that runs down from the board's upper edge, half way between light and dark, in many columns.
     std::vector<glm::dvec2> boundary;
@@ -199,8 +201,10 @@ TEST(Shafts, SixtyFourInterleavedStepsComeCloseToAThousand) {
   scene.camera = look_at(640, 360, {0.3, -6.0, 1.6}, {0.0, 0.0, 1.3}, 55.0);
   scene.instances = {place(make_ground(), glm::dvec3(0.0), true), load("pergola", glm::dvec3(0.0))};
   scene.medium = haze(0.06, 0.7);
-  const LightPictures fine = rig().render(scene, {.technique = "march", .steps = 1024, .divisor = 1});
-  const LightPictures coarse = rig().render(scene, {.technique = "march", .steps = 64, .divisor = 1});
+  const LightPictures fine =
+      rig().render(scene, {.technique = "interleaved", .knobs = {{"steps", 1024}, {"divisor", 1}}});
+  const LightPictures coarse =
+      rig().render(scene, {.technique = "interleaved", .knobs = {{"steps", 64}, {"divisor", 1}}});
   dump(coarse, "pergola_shafts");
   double error = 0.0;
   double total = 0.0;

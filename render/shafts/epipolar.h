@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+
+#include "render/shafts/air_program.h"
+#include "render/shafts/caster_map.h"
+#include "render/shafts/closed_form.h"
+#include "render/shafts/line_layout.h"
+#include "render/shafts/march.h"
+#include "render/shafts/shaft_target.h"
+#include "render/shafts/slice_trees.h"
+
+namespace render {
+
+// How densely the epipolar lines lie and are sampled, and when samples do for a pixel.
+struct LineSettings {
+  double line_px = 2.0;     // between lines, where they leave the picture
+  double sample_px = 16.0;  // between samples on a line
+  double tolerance = 0.02;  // of the lit part of the sunlight, from one sample to the next; above it, none in between
+  int divisor = 1;
+};
+
+// Epipolar sampling (Engelhardt & Dachsbacher 2010): the light is computed at places along lines through the sun, and
+// in between them interpolated along and across lines where depth and light allow; every other pixel is computed by
+// itself. Each computation marches along its ray, or walks the min-max tree of its slice (Chen 2011, Tan 2020).
+class Epipolar : public ShaftTechnique {
+ public:
+  Epipolar(const LineSettings& settings, const MarchSteps& steps);  // marches
+  explicit Epipolar(const LineSettings& settings);                  // walks min-max trees
+
+  const ShaftPicture& draw(const ShaftInputs& inputs) override;
+
+ private:
+  Epipolar(const LineSettings& settings, const gl::Defines& defines);
+  void bind(const gl::Program& program, const ShaftInputs& inputs, const LineLayout& layout) const;
+  void draw_samples(const ShaftInputs& inputs, const LineLayout& layout);
+
+  LineSettings settings_;
+  std::optional<MarchSteps> steps_;
+  CasterMap casters_{1};
+  SliceTrees trees_;
+  AirProgram sample_;
+  AirProgram picture_;
+  gl::Texture samples_;
+  gl::Framebuffer to_samples_;
+  gl::VertexArray no_vertices_;
+  ShaftTarget target_;
+  ClosedForm open_;
+};
+
+}  // namespace render

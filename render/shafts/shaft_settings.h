@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace render {
+
+class ShaftTechnique;
+
+// How the shafts are to be computed, as `--shafts NAME[:key=value,...]` says.
+struct ShaftSettings {
+  std::string technique = "auto";  // a name of shaft_techniques(), or "auto": the planner chooses
+  std::map<std::string, double, std::less<>> knobs = {};  // those set by name; a choice counts from 0
+
+  // The knob's value: as set, else its standard one. Throws std::logic_error where the technique has no such knob.
+  double number(std::string_view knob) const;
+  int whole(std::string_view knob) const { return static_cast<int>(number(knob)); }
+
+  bool operator==(const ShaftSettings&) const = default;
+};
+
+// One thing that a technique can be set by: a number within [low, high], or one of `choices`.
+struct ShaftKnob {
+  std::string name;
+  std::string meaning;  // for people, with the unit
+  double low = 0.0;
+  double high = 0.0;
+  double standard = 0.0;
+  bool whole = false;
+  std::vector<std::string> choices = {};
+
+  std::string accepted() const;  // "a whole number from 1 to 8", "distance, depth or growing"
+};
+
+struct ShaftTechniqueInfo {
+  std::string name;
+  std::string summary;  // what it does and whose it is
+  std::vector<ShaftKnob> knobs;
+  std::vector<std::string> ladder;  // settings from the cheapest to the most accurate, as parse_shaft_settings() reads
+  std::unique_ptr<ShaftTechnique> (*make)(const ShaftSettings&);
+
+  const ShaftKnob* find(std::string_view knob) const;
+};
+
+// Every technique there is, in the order of DESIGN.md section 5. `auto` is none of them.
+const std::vector<ShaftTechniqueInfo>& shaft_techniques();
+const ShaftTechniqueInfo* find_shaft_technique(std::string_view name);
+
+// "auto", "march", "march:steps=128,divisor=1". Throws std::invalid_argument "found X; accepted: Y".
+ShaftSettings parse_shaft_settings(const std::string& text);
+
+// The text that reads as these settings.
+std::string to_text(const ShaftSettings& settings);
+
+}  // namespace render

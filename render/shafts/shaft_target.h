@@ -1,0 +1,37 @@
+#pragma once
+
+#include "render/gl/buffer.h"
+#include "render/gl/framebuffer.h"
+#include "render/gl/texture.h"
+#include "render/shafts/shaft_technique.h"
+
+namespace render {
+
+// Size of a shaft picture for a view, at 1/divisor of its width and height, rounded up.
+glm::ivec2 shaft_size(const View& view, int divisor);
+
+// The shaft picture's pixels that a technique computes (x, y, width, height), and `margin_px` more around them: those
+// of inputs.region_px, and one more for upsampling.
+glm::ivec4 shaft_region(const ShaftInputs& inputs, const glm::ivec2& size_px, int margin_px);
+
+// Draws reach only that rectangle, until GL_SCISSOR_TEST is disabled.
+void confine_to(const glm::ivec4& region_px);
+
+// The state that all passes of the techniques draw in: no depth test, no blending, no scissor.
+void plain_state();
+
+// Where a technique's last pass draws: light and transmittance, and the distance along the axis (as shade.frag).
+class ShaftTarget {
+ public:
+  // Bound, confined to the view's region, and empty elsewhere.
+  void begin(const ShaftInputs& inputs, const glm::ivec2& size_px);
+  const ShaftPicture& picture() const { return picture_; }
+
+ private:
+  gl::Texture scattered_;
+  gl::Texture distance_;
+  gl::Framebuffer framebuffer_;
+  ShaftPicture picture_;
+};
+
+}  // namespace render

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "render/gl/buffer.h"
+#include "render/gl/framebuffer.h"
+#include "render/gl/program.h"
+#include "render/shafts/air_program.h"
+#include "render/shafts/caster_map.h"
+#include "render/shafts/line_layout.h"
+
+namespace render {
+
+// One-dimensional min-max trees over the casters along each epipolar slice (Chen et al. 2011; Tan 2020's form, without
+// rectification: slices are straight lines across the shadow map itself).
+class SliceTrees {
+ public:
+  // Changes framebuffer, viewport and program. Uses texture units 0, 1 and 8.
+  void update(const ShaftInputs& inputs, const CasterMap& casters, const LineLayout& layout);
+
+  // To three texture units from that one on, with all that shaders/shafts/walk.glsl needs.
+  void bind(const gl::Program& program, int first_unit) const;
+
+ private:
+  void make_storage(const CasterMap& casters, int rows);
+  void draw_slices(const ShaftInputs& inputs, const CasterMap& casters, const LineLayout& layout);
+  void draw_leaves(const ShaftInputs& inputs, const CasterMap& casters);
+  void draw_nodes();
+  void draw_into(const gl::Framebuffer& target) const;
+
+  int rows_ = 0;
+  int cells_ = 0;  // of the longest slice, rounded up to a node of the highest level
+  int top_level_ = 0;
+  glm::ivec4 level_first_{0};
+  glm::dmat4 texels_from_local_{1.0};
+  gl::Program slice_program_{"lib/full_screen.vert", "shafts/slice.frag"};
+  gl::Program leaves_program_{"lib/full_screen.vert", "shafts/leaves.frag"};
+  gl::Program blocks_program_{"lib/full_screen.vert", "shafts/blocks.frag"};
+  gl::Program nodes_program_{"lib/full_screen.vert", "shafts/nodes.frag"};
+  gl::Texture slices_;
+  gl::Texture leaves_;
+  gl::Texture blocks_;
+  gl::Texture nodes_;
+  gl::Framebuffer to_slices_;
+  gl::Framebuffer to_leaves_;
+  gl::Framebuffer to_blocks_;
+  gl::Framebuffer to_nodes_;
+  gl::VertexArray no_vertices_;
+};
+
+}  // namespace render

@@ -1,0 +1,141 @@
+// The registry of techniques. A new one is a header above and an entry below.
+#include "render/shafts/closed_form.h"
+#include "render/shafts/epipolar.h"
+#include "render/shafts/interleaved.h"
+#include "render/shafts/march.h"
+#include "render/shafts/shaft_settings.h"
+
+namespace render {
+namespace {
+
+ShaftKnob steps(int standard) {
+  return {.name = "steps",
+          .meaning = "steps of the march along a ray",
+          .low = 1,
+          .high = 8192,
+          .standard = static_cast<double>(standard),
+          .whole = true};
+}
+
+ShaftKnob divisor(int standard) {
+  return {.name = "divisor",
+          .meaning = "shafts are computed at 1/divisor of the picture's width and height",
+          .low = 1,
+          .high = 8,
+          .standard = static_cast<double>(standard),
+          .whole = true};
+}
+
+ShaftTechniqueInfo closed_form() {
+  return {.name = "closed-form",
+          .summary = "as if nothing stood in the light: analytic",
+          .knobs = {divisor(2)},
+          .ladder = {"closed-form:divisor=2", "closed-form:divisor=1"},
+          .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
+            return std::make_unique<ClosedForm>(s.whole("divisor"));
+          }};
+}
+
+ShaftTechniqueInfo march() {
+  return {.name = "march",
+          .summary = "every pixel marches its own ray: brute force",
+          .knobs = {steps(256),
+                    {.name = "spacing",
+                     .meaning = "equal lengths, equal optical depths, or lengths that grow (Tan 2020)",
+                     .choices = {"distance", "depth", "growing"}},
+                    {.name = "near_share",
+                     .meaning = "growing: share of the steps in the near layer, of equal lengths",
+                     .low = 0,
+                     .high = 0.95,
+                     .standard = 0.25},
+                    {.name = "near_m",
+                     .meaning = "growing: depth of the near layer, metres",
+                     .low = 0.01,
+                     .high = 1e4,
+                     .standard = 2},
+                    divisor(1)},
+          .ladder = {"march:steps=16", "march:steps=32", "march:steps=64", "march:steps=128", "march:steps=256",
+                     "march:steps=512", "march:steps=1024", "march:steps=64,spacing=growing",
+                     "march:steps=256,spacing=growing"},
+          .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
+            return std::make_unique<March>(MarchSteps{.count = s.whole("steps"),
+                                                      .spacing = s.whole("spacing"),
+                                                      .near_share = s.number("near_share"),
+                                                      .near_m = s.number("near_m")},
+                                           s.whole("divisor"));
+          }};
+}
+
+ShaftTechniqueInfo interleaved() {
+  return {
+      .name = "interleaved",
+      .summary = "step offsets interleaved over tiles of 4 x 4 pixels, then averaged (Toth & Umenhoffer 2009)",
+      .knobs = {steps(64), divisor(2)},
+      .ladder = {"interleaved:steps=16,divisor=2", "interleaved:steps=32,divisor=2", "interleaved:steps=64,divisor=2",
+                 "interleaved:steps=32,divisor=1", "interleaved:steps=64,divisor=1", "interleaved:steps=256,divisor=1"},
+      .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
+        return std::make_unique<Interleaved>(s.whole("steps"), s.whole("divisor"));
+      }};
+}
+
+std::vector<ShaftKnob> line_knobs(double line_px, double sample_px, double tolerance) {
+  return {{.name = "line_px",
+           .meaning = "pixels between epipolar lines, where they leave the picture",
+           .low = 0.25,
+           .high = 64,
+           .standard = line_px},
+          {.name = "sample_px",
+           .meaning = "pixels between samples along a line",
+           .low = 1,
+           .high = 256,
+           .standard = sample_px},
+          {.name = "tolerance",
+           .meaning = "change of the lit part between samples above which each pixel is computed by itself",
+           .low = 0,
+           .high = 1,
+           .standard = tolerance},
+          divisor(1)};
+}
+
+LineSettings line_settings(const ShaftSettings& s) {
+  return {.line_px = s.number("line_px"),
+          .sample_px = s.number("sample_px"),
+          .tolerance = s.number("tolerance"),
+          .divisor = s.whole("divisor")};
+}
+
+ShaftTechniqueInfo epipolar() {
+  ShaftTechniqueInfo info{
+      .name = "epipolar",
+      .summary = "marches at samples along lines through the sun, interpolates between (Engelhardt & Dachsbacher 2010)",
+      .knobs = line_knobs(2, 16, 0.02),
+      .ladder = {"epipolar:steps=64,line_px=4,sample_px=32,tolerance=0.1", "epipolar:steps=128,line_px=2",
+                 "epipolar:steps=512,line_px=1,tolerance=0.01",
+                 "epipolar:steps=1024,line_px=0.5,sample_px=8,tolerance=0.005"},
+      .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
+        return std::make_unique<Epipolar>(line_settings(s), MarchSteps{.count = s.whole("steps")});
+      }};
+  info.knobs.push_back(steps(256));
+  return info;
+}
+
+ShaftTechniqueInfo minmax() {
+  return {.name = "minmax",
+          .summary = "epipolar lines with exact min-max trees over the shadow map (Chen 2011, Tan 2020)",
+          .knobs = line_knobs(2, 16, 0.02),
+          .ladder = {"minmax:line_px=8,sample_px=32,tolerance=0.1,divisor=2",
+                     "minmax:line_px=4,sample_px=32,tolerance=0.1", "minmax:line_px=2",
+                     "minmax:line_px=1,tolerance=0.01", "minmax:line_px=0.5,sample_px=8,tolerance=0.005"},
+          .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
+            return std::make_unique<Epipolar>(line_settings(s));
+          }};
+}
+
+}  // namespace
+
+const std::vector<ShaftTechniqueInfo>& shaft_techniques() {
+  static const std::vector<ShaftTechniqueInfo> all{closed_form(), march(), interleaved(), epipolar(), minmax()};
+  return all;
+}
+
+}  // namespace render

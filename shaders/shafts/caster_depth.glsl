@@ -1,0 +1,37 @@
+// The map of the first casters that rays are marched against (render/shafts/caster_map.h). Needs shafts/ray.glsl.
+uniform highp sampler2D caster_depth;
+uniform mat4 map_from_local;  // (u, v, depth): u and v 0 to 1 inside
+uniform float end_margin_m;   // the map tells no surface from the air this close to it
+
+// Where a ray is in the prism behind the map's near plane: there, casters may shade it.
+vec2 shadow_stretch(vec3 direction) {
+  vec3 origin = map_from_local[3].xyz;
+  vec3 d = mat3(map_from_local) * direction;
+  return intersect(intersect(slab(origin.x, d.x, 0.0, 1.0), slab(origin.y, d.y, 0.0, 1.0)),
+                   slab(origin.z, d.z, 0.0, 1e20));
+}
+
+// What of a stretch of the medium is to be marched: where casters may shade it and it is seen. It ends before the
+// surface at which the ray does, since texels of the map straddle surfaces.
+vec2 marched_stretch(vec3 direction, Air air, vec2 stretch) {
+  vec2 seen = vec2(stretch.x, min(stretch.y, way_of_depth(air, kDeepest)));
+  vec2 shaded = intersect(shadow_stretch(direction), seen);
+  if (shaded.y == stretch.y) shaded.y = max(stretch.y - end_margin_m, mix(shaded.x, shaded.y, 0.5));
+  return shaded;
+}
+
+// Sunlight of the stretch when that part of the light of the marched stretch is lit. What lies behind the marched
+// stretch, to the end of what is seen or to the surface, is as its end's surroundings are: it counts as marched.
+float sunlight_when(float lit, vec3 direction, Air air, vec2 stretch, vec2 marched) {
+  float all = sunlight_of(air, stretch);
+  if (marched.y <= marched.x) return all;
+  float behind = min(shadow_stretch(direction).y, stretch.y);
+  float part = marched.x == stretch.x && behind == stretch.y ? all : sunlight_of(air, vec2(marched.x, behind));
+  return max(all - min(part, all) * (1.0 - lit), 0.0);
+}
+
+// `at` in texels across the map; a texel without a caster holds 1 or more. Marched stretches lie inside the map, but
+// rounding may step over its edge: a fetch beyond it is 0, which must not count as shade.
+float lit_at(vec3 at, ivec2 last) {
+  return texelFetch(caster_depth, clamp(ivec2(at.xy), ivec2(0), last), 0).r < min(at.z, 1.0) ? 0.0 : 1.0;
+}

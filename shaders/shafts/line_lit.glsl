@@ -1,0 +1,20 @@
+// Which part of a pixel's sunlight gets past the casters, by the technique that LINE_MARCH chooses: steps along the
+// ray, or else the min-max tree of the nearest epipolar slice. Needs shafts/ray.glsl.
+#include "shafts/caster_depth.glsl"
+#ifdef LINE_MARCH
+#include "shafts/steps.glsl"
+#else
+#include "shafts/walk.glsl"
+#endif
+
+// `needed` false: 1, at no cost.
+float lit_share(bool needed, int row, Ray ray, Air air, vec2 stretch) {
+  vec2 marched = needed ? marched_stretch(ray.direction, air, stretch) : vec2(0.0);
+#ifdef LINE_MARCH
+  float lit = march(ray, air, marched);
+#else
+  float lit = walk(row, ray, air, marched);
+#endif
+  float all = sunlight_of(air, stretch);
+  return all > 0.0 ? clamp(sunlight_when(lit, ray.direction, air, stretch, marched) / all, 0.0, 1.0) : 1.0;
+}

@@ -1,0 +1,48 @@
+// A march in steps that may grow. Needs shafts/ray.glsl and shafts/caster_depth.glsl.
+uniform int steps;
+uniform int spacing;       // 0: equal lengths. 1: equal optical depths. 2: growing lengths
+uniform int near_steps;    // growing: so many equal steps
+uniform float near_way_m;  // up to this far into the stretch, before they grow
+
+// Where step i of the stretch begins, metres from the eye.
+float step_start(int i, Air air, vec2 stretch) {
+  float part = float(i) / float(steps);
+  if (i >= steps) return stretch.y;
+  if (spacing == 1) {
+    vec2 depths = vec2(view_depth_to(air, stretch.x), view_depth_to(air, stretch.y));
+    return clamp(way_of_depth(air, mix(depths.x, depths.y, part)), stretch.x, stretch.y);
+  }
+  if (spacing == 2) {
+    // Tan 2020, algorithm 1: a near layer of equal steps, then steps whose length grows in proportion to their count.
+    float near = min(near_way_m, stretch.y - stretch.x);
+    if (i < near_steps) return stretch.x + near * float(i) / float(near_steps);
+    float k = float(i - near_steps);
+    float n = float(steps - near_steps);
+    return stretch.x + near + (stretch.y - stretch.x - near) * k * (k + 1.0) / (n * (n + 1.0));
+  }
+  return mix(stretch.x, stretch.y, part);
+}
+
+// Part of the stretch's sunlight that gets past the casters; 1 for an empty one.
+float march(Ray ray, Air air, vec2 stretch) {
+  ivec2 size = textureSize(caster_depth, 0);
+  vec3 texels = vec3(size, 1.0);
+  vec3 origin = texels * map_from_local[3].xyz;
+  vec3 along = texels * (mat3(map_from_local) * ray.direction);
+  float from = stretch.x;
+  vec2 depths = depths_to(air, from);
+  float lit = 0.0;
+  float all = 0.0;
+  int count = stretch.y > stretch.x ? steps : 0;
+  for (int i = 1; i <= count; ++i) {
+    float to = step_start(i, air, stretch);
+    vec2 next = depths_to(air, to);
+    float part = sunlight_between(depths, next);
+    all += part;
+    lit += part * lit_at(origin + along * (0.5 * (from + to)), size - 1);
+    from = to;
+    depths = next;
+    if (depths.x > kDeepest) break;  // nothing beyond is seen
+  }
+  return all > 0.0 ? lit / all : 1.0;
+}
