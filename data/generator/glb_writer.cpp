@@ -97,6 +97,7 @@ class Writer {
     use(pbr, "metallicRoughnessTexture", m.metallic_roughness_texture);
     Json material = {{"name", m.name}, {"pbrMetallicRoughness", pbr}, {"doubleSided", m.double_sided}};
     use(material, "normalTexture", m.normal_texture);
+    if (m.emissive != glm::vec3(0.0F)) material["emissiveFactor"] = {m.emissive.r, m.emissive.g, m.emissive.b};
     if (m.alpha_mode == render::AlphaMode::Mask) {
       material["alphaMode"] = "MASK";
       material["alphaCutoff"] = m.alpha_cutoff;
