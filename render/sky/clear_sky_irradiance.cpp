@@ -17,8 +17,10 @@ ClearSkyIrradiance clear_sky_irradiance(double linke_turbidity, double sun_eleva
   const double fh2 = std::exp(-height_m / 1250.0);
   const double cg1 = 5.09e-5 * height_m + 0.868;
   const double cg2 = 3.92e-5 * height_m + 0.0387;
-  // The correction exp(0.01 m^1.8) was fitted to high sun; it grows without bounds towards the horizon.
-  const double enhancement = std::exp(0.01 * std::pow(std::min(air_mass, 5.0), 1.8));
+  // The correction exp(0.01 m^1.8) was fitted to high sun and grows without bounds towards the horizon: its air mass
+  // bends smoothly to 5.
+  const double held_air_mass = air_mass * std::pow(1.0 + std::pow(air_mass / 5.0, 6.0), -1.0 / 6.0);
+  const double enhancement = std::exp(0.01 * std::pow(held_air_mass, 1.8));
   const double global = cg1 * extraterrestrial_normal_wm2 * sine * enhancement *
                         std::exp(-cg2 * air_mass * (fh1 + fh2 * (turbidity - 1.0)));
   const double beam =
