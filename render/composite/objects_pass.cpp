@@ -1,54 +1,31 @@
 #include "render/composite/objects_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "render/composite/lighting.h"
+#include "render/composite/object_targets.h"
 #include "render/composite/surface_programs.h"
 #include "render/composite/touched_rect.h"
-#include "render/gl/framebuffer.h"
 
 namespace render {
 namespace {
 
+constexpr int kLightUnit = 5;       // and its depth 6
 constexpr int kVirtualMapUnit = 8;  // and 9; its bounds 10
 constexpr int kRealMapUnit = 11;    // and 12; its bounds 13
 
-// What the picture is drawn into: virtual things multisampled, then resolved; real ones as they come.
-struct Targets {
-  int width = 0;
-  int height = 0;
-  gl::Renderbuffer drawn_added;
-  gl::Renderbuffer drawn_depth;
-  gl::Framebuffer drawn;
-  gl::Texture added;
-  gl::Texture multiplier;
-  gl::Texture depth;
-  gl::Framebuffer added_only;
-  gl::Framebuffer multiplier_only;
-  gl::Framebuffer real;  // multiplier and depth
-  gl::Framebuffer depth_only;
-
-  Targets() = default;
-  Targets(int w, int h, int samples)
-      : width(w),
-        height(h),
-        drawn_added(GL_RGBA16F, w, h, samples),
-        drawn_depth(GL_DEPTH_COMPONENT32F, w, h, samples),
-        drawn({&drawn_added}, &drawn_depth, "objects"),
-        added(GL_RGBA16F, w, h, gl::Filter::Linear, 1, "objects added"),
-        multiplier(GL_RGB10_A2, w, h, gl::Filter::Linear, 1, "objects multiplier"),
-        depth(GL_DEPTH_COMPONENT32F, w, h, gl::Filter::Nearest, 1, "objects depth"),
-        added_only({&added}, nullptr, "objects added"),
-        multiplier_only({&multiplier}, nullptr, "objects multiplier"),
-        real({&multiplier}, &depth, "shadow on real things"),
-        depth_only({}, &depth, "objects depth") {}
-};
-
-void clear_color(const gl::Framebuffer& framebuffer, float rgb) {
+void clear_color(const gl::Framebuffer& framebuffer, float rgb, float alpha = 1.0F) {
   framebuffer.bind();
-  glClearColor(rgb, rgb, rgb, 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT);
+  const std::array<GLfloat, 4> color{rgb, rgb, rgb, alpha};
+  glClearBufferfv(GL_COLOR, 0, color.data());
+}
+
+void clear_depth(const gl::Framebuffer& framebuffer) {
+  framebuffer.bind();
+  constexpr GLfloat kFar = 1.0F;
+  glClearBufferfv(GL_DEPTH, 0, &kFar);
 }
 
 void scissor(const PixelRect& rect) {
@@ -63,6 +40,7 @@ struct Draw {
   const GpuModel::MeshRange* mesh;
 
   const Material& material() const { return model->material(mesh->material); }
+  const GpuModel::Textures& textures() const { return model->textures(mesh->material); }
 };
 
 double distance_m(const Instance& instance, const View& view) {
@@ -74,12 +52,11 @@ double distance_m(const Instance& instance, const View& view) {
 
 struct ObjectsPass::Impl {
   int samples;
-  Targets targets;
+  ObjectTargets targets;
   PixelRect dirty;  // what the last frame left in the resolved textures
   PixelRect covered;
   ObjectsPicture picture;
   SurfacePrograms programs;
-  gl::Program depth_program{"scene/surface.vert", "scene/depth.frag"};
   gl::Program uncovered_program{"lib/full_screen.vert", "scene/uncovered.frag"};
   gl::VertexArray no_vertices;
 
@@ -93,7 +70,7 @@ struct ObjectsPass::Impl {
 
   void make_targets() {
     if (targets.width == view->width && targets.height == view->height) return;
-    targets = Targets(view->width, view->height, samples);
+    targets = ObjectTargets(view->width, view->height, samples);
     dirty = {0, 0, view->width, view->height};
     picture = {.added = targets.added.id(),
                .multiplier = targets.multiplier.id(),
@@ -128,25 +105,44 @@ struct ObjectsPass::Impl {
   }
 
   void draw_real_depth(const std::vector<Draw>& real) const {
-    depth_program.use();
-    for (const Draw& draw : real) {
-      set_transforms(depth_program, *draw.instance);
-      draw.model->draw(*draw.mesh);
-    }
-  }
-
-  // Onto the real depth that is there already.
-  void draw_real_shadow(const std::vector<Draw>& real) {
-    targets.real.bind();
-    scissor(picture.touched);
-    glDepthMask(GL_FALSE);
-    const gl::Program& program = programs.real_shadow(casts);
+    const gl::Program& program = programs.real_depth();
     program.use();
-    set_light(program);
     for (const Draw& draw : real) {
       set_transforms(program, *draw.instance);
       draw.model->draw(*draw.mesh);
     }
+  }
+
+  void draw_real(const gl::Program& program, const std::vector<Draw>& real) const {
+    program.use();
+    set_light(program);
+    program.set("added", kLightUnit);
+    for (const Draw& draw : real) {
+      set_transforms(program, *draw.instance);
+      draw.model->draw(*draw.mesh);
+    }
+  }
+
+  // First marks in the stencil, at little cost, where there may be any: seldom much of the picture.
+  void draw_real_shadow(const std::vector<Draw>& real) {
+    targets.real_shadow.bind();
+    scissor(picture.touched);
+    glClearBufferfi(GL_DEPTH_STENCIL, 0, 1.0F, 0);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_real_depth(real);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 1, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    targets.added.bind(kLightUnit);
+    draw_real(programs.real_shadow(casts, true), real);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glStencilFunc(GL_EQUAL, 1, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    draw_real(programs.real_shadow(casts, false), real);
+    glDisable(GL_STENCIL_TEST);
+    glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_TRUE);
   }
 
@@ -157,63 +153,70 @@ struct ObjectsPass::Impl {
     glFrontFace(mirrored ? GL_CCW : GL_CW);
   }
 
-  // So that what is hidden is not shaded. Not for cut-out things: their depth depends on their alpha.
-  void draw_opaque_depth(const std::vector<Draw>& opaque) const {
-    depth_program.use();
-    for (const Draw& draw : opaque) {
-      if (draw.material().alpha_mode != AlphaMode::Opaque) continue;
+  void draw_virtual(SurfacePrograms::Use use, const std::vector<Draw>& draws) {
+    for (const Draw& draw : draws) {
+      const gl::Program& program = programs.virtual_surface(use, draw.material(), draw.textures(), casts);
+      program.use();
+      SurfacePrograms::set_material(program, draw.material(), draw.textures());
+      if (use != SurfacePrograms::Use::Depth) set_light(program);
+      if (use == SurfacePrograms::Use::SmoothEdges) {
+        program.set("shaded", kLightUnit);
+        program.set("shaded_depth", kLightUnit + 1);
+        const bool cut_out = is_cut_out(draw.material(), draw.textures());
+        (cut_out ? glEnable : glDisable)(GL_SAMPLE_ALPHA_TO_COVERAGE);
+        // The target's alpha is what stays uncovered: nothing of it where a mask's alpha made a sample covered.
+        (cut_out ? glEnable : glDisable)(GL_BLEND);
+        glBlendFuncSeparate(GL_ONE, GL_ZERO, GL_ZERO, GL_ZERO);
+      }
+      set_transforms(program, *draw.instance);
       set_culling(draw);
-      set_transforms(depth_program, *draw.instance);
       draw.model->draw(*draw.mesh);
     }
-  }
-
-  void draw_object(const Draw& draw) {
-    const Material& material = draw.material();
-    const GpuModel::Textures& textures = draw.model->textures(draw.mesh->material);
-    const gl::Program& program = programs.object(material, textures, casts);
-    program.use();
-    set_light(program);
-    SurfacePrograms::set_material(program, material, textures);
-    set_transforms(program, *draw.instance);
-    set_culling(draw);
-    const bool mask = material.alpha_mode == AlphaMode::Mask;
-    (mask && samples > 0 ? glEnable : glDisable)(GL_SAMPLE_ALPHA_TO_COVERAGE);
-    // The target's alpha is what stays uncovered: nothing of it where a mask's alpha made a sample covered.
-    (mask || material.alpha_mode == AlphaMode::Blend ? glEnable : glDisable)(GL_BLEND);
-    glBlendFuncSeparate(GL_ONE, mask ? GL_ZERO : GL_ONE_MINUS_SRC_ALPHA, GL_ZERO,
-                        mask ? GL_ZERO : GL_ONE_MINUS_SRC_ALPHA);
-    draw.model->draw(*draw.mesh);
-  }
-
-  void draw_multisampled(const std::vector<Draw>& real, const std::vector<Draw>& opaque,
-                         const std::vector<Draw>& blended) {
-    targets.drawn.bind();
-    scissor(covered);
-    constexpr GLfloat kUncovered[4]{0, 0, 0, 1};
-    constexpr GLfloat kFar = 1.0F;
-    glClearBufferfv(GL_COLOR, 0, kUncovered);
-    glClearBufferfv(GL_DEPTH, 0, &kFar);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    draw_real_depth(real);
-    draw_opaque_depth(opaque);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    for (const Draw& draw : opaque) draw_object(draw);
-    glDepthMask(GL_FALSE);
-    for (const Draw& draw : blended) draw_object(draw);
-    glDepthMask(GL_TRUE);
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
-    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   }
 
-  void resolve() {
-    const PixelRect& r = covered;
-    gl::blit_color(targets.drawn, 0, targets.added_only, r.x, r.y, r.width, r.height);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, targets.drawn.id());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets.depth_only.id());
-    glBlitFramebuffer(r.x, r.y, r.x + r.width, r.y + r.height, r.x, r.y, r.x + r.width, r.y + r.height,
-                      GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  // Onto `target`, where the depth of all other virtual things is there already.
+  void draw_blended(const gl::Framebuffer& target, const std::vector<Draw>& blended) {
+    if (blended.empty()) return;
+    target.bind();
+    scissor(covered);
+    glDepthMask(GL_FALSE);
+    for (const Draw& draw : blended) {
+      // One after the other: draw_virtual() leaves blending off.
+      glEnable(GL_BLEND);
+      glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+      draw_virtual(SurfacePrograms::Use::Light, {draw});
+    }
+    glDepthMask(GL_TRUE);
+  }
+
+  // Shades what is nearest in each pixel, and only that, onto the depth that is there.
+  void draw_light(const gl::Framebuffer& target, SurfacePrograms::Use use, const std::vector<Draw>& solid) {
+    target.bind();
+    scissor(covered);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    draw_virtual(use, solid);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+  }
+
+  void draw_smooth(const std::vector<Draw>& real, const std::vector<Draw>& solid, const std::vector<Draw>& blended) {
+    scissor(covered);
+    clear_color(targets.lit, 0.0F, 0.0F);
+    draw_light(targets.lit, SurfacePrograms::Use::CodedLight, solid);
+    clear_color(targets.smooth, 0.0F);
+    clear_depth(targets.smooth);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_real_depth(real);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    targets.light.bind(kLightUnit);
+    targets.depth.bind(kLightUnit + 1);
+    draw_virtual(SurfacePrograms::Use::SmoothEdges, solid);
+    draw_blended(targets.smooth, blended);
+    gl::blit_color(targets.smooth, 0, targets.added_only, covered.x, covered.y, covered.width, covered.height);
   }
 
   void cover_multiplier() {
@@ -231,13 +234,13 @@ struct ObjectsPass::Impl {
 
   void draw(const SceneState& scene, GpuModels& models) {
     std::vector<Draw> real;
-    std::vector<Draw> opaque;
+    std::vector<Draw> solid;
     std::vector<Draw> blended;
     for (const Instance& instance : scene.instances) {
       const GpuModel& model = models.get(instance.model);
       for (const GpuModel::MeshRange& mesh : model.meshes()) {
         const bool blend = model.material(mesh.material).alpha_mode == AlphaMode::Blend;
-        (instance.real ? real : blend ? blended : opaque).push_back({&instance, &model, &mesh});
+        (instance.real ? real : blend ? blended : solid).push_back({&instance, &model, &mesh});
       }
     }
     std::ranges::stable_sort(blended, [this](const Draw& a, const Draw& b) {
@@ -252,17 +255,20 @@ struct ObjectsPass::Impl {
     glDepthMask(GL_TRUE);
     wipe();
     glDisable(GL_SCISSOR_TEST);
-    targets.depth_only.bind();
-    glClearDepthf(1.0F);
-    glClear(GL_DEPTH_BUFFER_BIT);
+    clear_depth(targets.depth_only);
     draw_real_depth(real);
     dirty = picture.touched;
-    if (casts.virtual_casters && !picture.touched.empty()) draw_real_shadow(real);
     if (!covered.empty()) {
-      draw_multisampled(real, opaque, blended);
-      resolve();
-      cover_multiplier();
+      draw_virtual(SurfacePrograms::Use::Depth, solid);
+      if (samples > 0) {
+        draw_smooth(real, solid, blended);
+      } else {
+        draw_light(targets.objects, SurfacePrograms::Use::Light, solid);
+        draw_blended(targets.objects, blended);
+      }
     }
+    if (casts.virtual_casters && !picture.touched.empty()) draw_real_shadow(real);
+    if (!covered.empty()) cover_multiplier();
     SunShadow::unbind(kVirtualMapUnit);
     SunShadow::unbind(kRealMapUnit);
     glDisable(GL_SCISSOR_TEST);

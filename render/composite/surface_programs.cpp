@@ -16,22 +16,27 @@ unsigned bit(bool on, unsigned index) {
   return on ? 1U << index : 0U;
 }
 
-gl::Defines defines_of(unsigned features, const char* blocker_taps, const char* filter_taps) {
-  gl::Defines defines{{"SHADED"}, {"BLOCKER_TAPS", blocker_taps}, {"FILTER_TAPS", filter_taps}};
+gl::Defines defines_of(unsigned features) {
+  gl::Defines defines;
   for (unsigned i = 0; i < kFeatures.size(); ++i) {
     if ((features & (1U << i)) != 0) defines.push_back({kFeatures[i]});
   }
   return defines;
 }
 
+// Only what shows in the depth: few variants.
+unsigned depth_features_of(const Material& material, const GpuModel::Textures& textures) {
+  return bit(is_cut_out(material, textures), 5);
+}
+
 unsigned features_of(const Material& material, const GpuModel::Textures& textures, SurfacePrograms::Casts casts) {
-  const bool mask = material.alpha_mode == AlphaMode::Mask && textures.base_color != nullptr;
+  const bool cut_out = is_cut_out(material, textures);
   return bit(casts.virtual_casters, 0) | bit(casts.real_casters, 1) | bit(textures.base_color != nullptr, 2) |
-         bit(textures.metallic_roughness != nullptr, 3) | bit(textures.normal != nullptr, 4) | bit(mask, 5) |
+         bit(textures.metallic_roughness != nullptr, 3) | bit(textures.normal != nullptr, 4) | bit(cut_out, 5) |
          bit(textures.occlusion != nullptr, 6) | bit(textures.emissive != nullptr, 7) |
          bit(material.alpha_mode == AlphaMode::Blend, 8) |
          // Cut-out, two-sided: leaves, grass, netting. Two-sided alone says nothing: many exporters set it for all.
-         bit(mask && material.double_sided, 9);
+         bit(cut_out && material.double_sided, 9);
 }
 
 void bind_texture(const gl::Program& program, const char* uniform, const gl::Texture* texture, int unit) {
@@ -42,27 +47,36 @@ void bind_texture(const gl::Program& program, const char* uniform, const gl::Tex
 
 }  // namespace
 
-const gl::Program& SurfacePrograms::object(const Material& material, const GpuModel::Textures& textures, Casts casts) {
-  const unsigned features = features_of(material, textures, casts);
-  auto found = object_.find(features);
-  if (found == object_.end()) {
-    found =
-        object_
-            .emplace(features, gl::Program("scene/surface.vert", "scene/object.frag", defines_of(features, "4", "8")))
-            .first;
-  }
-  return found->second;
+bool is_cut_out(const Material& material, const GpuModel::Textures& textures) {
+  return material.alpha_mode == AlphaMode::Mask && textures.base_color != nullptr;
 }
 
-const gl::Program& SurfacePrograms::real_shadow(Casts casts) {
-  const unsigned features = bit(casts.virtual_casters, 0) | bit(casts.real_casters, 1);
-  auto found = real_shadow_.find(features);
-  if (found == real_shadow_.end()) {
-    gl::Defines defines = defines_of(features, "8", "16");
-    defines.erase(defines.begin());  // not SHADED: needs no texture coordinates
-    found = real_shadow_.emplace(features, gl::Program("scene/surface.vert", "scene/real_shadow.frag", defines)).first;
-  }
-  return found->second;
+const gl::Program& SurfacePrograms::virtual_surface(Use use, const Material& material,
+                                                    const GpuModel::Textures& textures, Casts casts) {
+  const unsigned features =
+      use == Use::Depth ? depth_features_of(material, textures) : features_of(material, textures, casts);
+  const unsigned key = features | static_cast<unsigned>(use) << kFeatures.size();
+  const auto found = virtual_.find(key);
+  if (found != virtual_.end()) return found->second;
+  gl::Defines defines = defines_of(features);
+  if (use != Use::Depth || features != 0) defines.push_back({"TEXTURED"});
+  if (use != Use::Depth) defines.insert(defines.end(), {{"BLOCKER_TAPS", "4"}, {"FILTER_TAPS", "8"}});
+  if (use == Use::CodedLight) defines.push_back({"FACING_CODE"});
+  const char* shader = use == Use::Depth         ? "scene/depth.frag"
+                       : use == Use::SmoothEdges ? "scene/smooth.frag"
+                                                 : "scene/object.frag";
+  return virtual_.emplace(key, gl::Program("scene/surface.vert", shader, defines)).first->second;
+}
+
+const gl::Program& SurfacePrograms::real_shadow(Casts casts, bool sought) {
+  const unsigned features = bit(casts.virtual_casters, 0) | bit(casts.real_casters && !sought, 1);
+  const unsigned key = features | bit(sought, kFeatures.size());
+  const auto found = real_shadow_.find(key);
+  if (found != real_shadow_.end()) return found->second;
+  gl::Defines defines = defines_of(features);
+  defines.insert(defines.end(), {{"BLOCKER_TAPS", "8"}, {"FILTER_TAPS", "16"}});
+  if (sought) defines.push_back({"SOUGHT"});
+  return real_shadow_.emplace(key, gl::Program("scene/surface.vert", "scene/real_shadow.frag", defines)).first->second;
 }
 
 void SurfacePrograms::set_material(const gl::Program& program, const Material& material,

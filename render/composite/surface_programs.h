@@ -7,8 +7,11 @@
 
 namespace render {
 
-// The variants of shaders/scene/object.frag and real_shadow.frag that a scene's materials and casters need, compiled
-// when first asked for.
+// Whether a texture cuts holes into the surface.
+bool is_cut_out(const Material& material, const GpuModel::Textures& textures);
+
+// The variants of the programs in shaders/scene that a scene's materials and casters need, compiled when first asked
+// for.
 class SurfacePrograms {
  public:
   struct Casts {
@@ -16,15 +19,22 @@ class SurfacePrograms {
     bool real_casters = false;
   };
 
-  const gl::Program& object(const Material& material, const GpuModel::Textures& textures, Casts casts);
-  const gl::Program& real_shadow(Casts casts);
+  // What a virtual surface is drawn for: its depth; its light, with what it leaves uncovered or with its facing code in
+  // alpha; smooth edges over light that is there already (shaders/scene/{depth,object,smooth}.frag).
+  enum class Use { Depth, Light, CodedLight, SmoothEdges };
+  const gl::Program& virtual_surface(Use use, const Material& material, const GpuModel::Textures& textures,
+                                     Casts casts);
+  const gl::Program& real_depth() const { return real_depth_; }
+  // `sought`: only finds where there may be any (shaders/scene/real_shadow.frag).
+  const gl::Program& real_shadow(Casts casts, bool sought);
 
   // Sets the material's uniforms and binds its textures to units 0 to 4.
   static void set_material(const gl::Program& program, const Material& material, const GpuModel::Textures& textures);
 
  private:
-  std::map<unsigned, gl::Program> object_;
+  std::map<unsigned, gl::Program> virtual_;
   std::map<unsigned, gl::Program> real_shadow_;
+  gl::Program real_depth_{"scene/surface.vert", "scene/depth.frag"};
 };
 
 }  // namespace render

@@ -2,7 +2,7 @@
 // A surface of a model, for depth, for the shadow on real things and for shading: one place for all three, so that
 // their depths agree to the bit.
 // variant:
-// variant: SHADED
+// variant: TEXTURED
 precision highp float;
 
 uniform mat4 clip_from_model;
@@ -11,7 +11,7 @@ uniform mat3 local_normal_from_model;
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-#ifdef SHADED
+#ifdef TEXTURED
 layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 uv;
 out vec4 v_tangent;
@@ -25,7 +25,7 @@ invariant gl_Position;
 void main() {
   v_position = (local_from_model * vec4(position, 1.0)).xyz;
   v_normal = local_normal_from_model * normal;
-#ifdef SHADED
+#ifdef TEXTURED
   v_tangent = vec4(mat3(local_from_model) * tangent.xyz, tangent.w);
   v_uv = uv;
 #endif

@@ -21,15 +21,32 @@ uniform float real_reach;
 #endif
 uniform float sun_disc_slope;  // tangent of the sun's angular radius
 
+#ifdef VIRTUAL_CASTERS
+BlockerSearch virtual_search(vec3 at, vec2 slope) {
+  return blocker_search(virtual_bounds, virtual_reach, at, slope, virtual_texel, virtual_metres_per_unit,
+                        sun_disc_slope);
+}
+#endif
+
 // Part of the sun's light that gets past virtual things to a surface point with that normal, facing the sun.
 float virtual_visibility(vec3 at_in_local, vec3 normal_in_local) {
 #ifdef VIRTUAL_CASTERS
   vec3 at = (virtual_map_from_local * vec4(at_in_local, 1.0)).xyz;
   vec2 slope = receiver_slope(virtual_local_from_map, normal_in_local);
-  return sun_visibility(virtual_compared, virtual_depth, virtual_bounds, virtual_reach, at, slope, virtual_texel, virtual_metres_per_unit,
-                        sun_disc_slope);
+  return sun_visibility(virtual_compared, virtual_depth, virtual_search(at, slope), at, slope, virtual_texel,
+                        virtual_metres_per_unit, sun_disc_slope);
 #else
   return 1.0;
+#endif
+}
+
+// Whether virtual things may take some of it away: quick to tell, and never wrong when it says no.
+bool may_be_shaded_by_virtual(vec3 at_in_local, vec3 normal_in_local) {
+#ifdef VIRTUAL_CASTERS
+  vec3 at = (virtual_map_from_local * vec4(at_in_local, 1.0)).xyz;
+  return !virtual_search(at, receiver_slope(virtual_local_from_map, normal_in_local)).lit;
+#else
+  return false;
 #endif
 }
 
@@ -38,7 +55,9 @@ float real_visibility(vec3 at_in_local, vec3 normal_in_local) {
 #ifdef REAL_CASTERS
   vec3 at = (real_map_from_local * vec4(at_in_local, 1.0)).xyz;
   vec2 slope = receiver_slope(real_local_from_map, normal_in_local);
-  return sun_visibility(real_compared, real_depth, real_bounds, real_reach, at, slope, real_texel, real_metres_per_unit, sun_disc_slope);
+  BlockerSearch search = blocker_search(real_bounds, real_reach, at, slope, real_texel, real_metres_per_unit,
+                                        sun_disc_slope);
+  return sun_visibility(real_compared, real_depth, search, at, slope, real_texel, real_metres_per_unit, sun_disc_slope);
 #else
   return 1.0;
 #endif

@@ -18,57 +18,73 @@ vec2 next_direction(vec2 direction) {
   return mat2(-0.7373689, 0.6754903, -0.6754903, -0.7373689) * direction;
 }
 
-// Percentage-closer soft shadows (Fernando 2005) for a parallel sun with a disc: the penumbra of a blocker that is
-// `gap` metres up the light is gap * tan(angular radius) in radius, wherever the receiver is.
-//   depth_compare, depth_value  the same map with and without comparison
+// What the search for blockers starts with.
+struct BlockerSearch {
+  float receiver;  // depth, biased
+  vec2 radius;     // of the disc that may hold blockers, in map units
+  bool lit;        // the sun's whole disc is seen, without a search
+  bool dark;       // nothing of it is
+};
+
 //   depth_bounds     nearest and farthest depth (r, g) in the square of `reach` (in map units) to either side
 //   at_in_map        the receiver
 //   slope            receiver_slope()
 //   texel            1 / map size
 //   metres_per_unit  size of the map along u, v, depth
 //   disc_slope       tangent of the sun's angular radius; 0: sharp
-float sun_visibility(highp sampler2DShadow depth_compare, highp sampler2D depth_value,
-                     highp sampler2D depth_bounds, float reach, vec3 at_in_map, vec2 slope, float texel, vec3 metres_per_unit, float disc_slope) {
+BlockerSearch blocker_search(highp sampler2D depth_bounds, float reach, vec3 at_in_map, vec2 slope, float texel,
+                             vec3 metres_per_unit, float disc_slope) {
+  BlockerSearch search;
   // Texels hold the depth at their centres, up to one texel from the point of a bilinear comparison.
-  float bias = (abs(slope.x) + abs(slope.y)) * texel + 0.0005 / metres_per_unit.z;
-  float receiver = at_in_map.z - bias;
-  vec2 search = disc_slope * receiver * metres_per_unit.z / metres_per_unit.xy + texel;
+  search.receiver = at_in_map.z - (abs(slope.x) + abs(slope.y)) * texel - 0.0005 / metres_per_unit.z;
+  search.radius = disc_slope * search.receiver * metres_per_unit.z / metres_per_unit.xy + texel;
   // On the sun's side of every caster, or beside them all.
-  bool beside = any(lessThan(at_in_map.xy, -search)) || any(greaterThan(at_in_map.xy, 1.0 + search));
+  bool beside = any(lessThan(at_in_map.xy, -search.radius)) || any(greaterThan(at_in_map.xy, 1.0 + search.radius));
   // Behind or before all that the search can meet: most of a picture is fully lit or fully dark. An empty texel holds 1.
   vec2 bounds = textureLod(depth_bounds, at_in_map.xy, 0.0).rg;
-  float spread = dot(abs(slope), search);
-  bool bounded = max(search.x, search.y) + texel <= reach;
-  bool lit_all = receiver <= 0.0 || beside || (bounded && min(receiver + spread, 1.0) <= bounds.x);
-  bool dark_all = bounded && min(receiver - spread, 1.0) > bounds.y;
+  float spread = dot(abs(slope), search.radius);
+  bool bounded = max(search.radius.x, search.radius.y) + texel <= reach;
+  search.lit = search.receiver <= 0.0 || beside || (bounded && min(search.receiver + spread, 1.0) <= bounds.x);
+  search.dark = !search.lit && bounded && min(search.receiver - spread, 1.0) > bounds.y;
+  // No blocker is farther up the light than the nearest depth.
+  if (bounded) {
+    float gap = max(search.receiver - bounds.x, 0.0);
+    search.radius = min(search.radius, disc_slope * gap * metres_per_unit.z / metres_per_unit.xy + texel);
+  }
+  return search;
+}
 
-  // Software rasterisers run all code that no lane needs, except further turns of a loop of unknown length: what is
-  // decided takes no turn.
-  int search_taps = lit_all || dark_all ? 0 : BLOCKER_TAPS;
+// Percentage-closer soft shadows (Fernando 2005) for a parallel sun with a disc: the penumbra of a blocker that is
+// `gap` metres up the light is gap * tan(angular radius) in radius, wherever the receiver is. `depth_compare` and
+// `depth_value` are the same map with and without comparison; the rest as for blocker_search().
+float sun_visibility(highp sampler2DShadow depth_compare, highp sampler2D depth_value, BlockerSearch search,
+                     vec3 at_in_map, vec2 slope, float texel, vec3 metres_per_unit, float disc_slope) {
+  // Software rasterisers run all code that no lane needs, and every loop once; what is decided takes no further turn.
+  int search_taps = search.lit || search.dark ? 0 : BLOCKER_TAPS;
   float blockers = 0.0;
   float blocker_depth = 0.0;
   vec2 direction = vec2(1.0, 0.0);
   for (int i = 0; i < search_taps; ++i) {
-    vec2 offset = direction * sqrt((float(i) + 0.5) / float(BLOCKER_TAPS)) * search;
+    vec2 offset = direction * sqrt((float(i) + 0.5) / float(BLOCKER_TAPS)) * search.radius;
     direction = next_direction(direction);
     float depth = textureLod(depth_value, at_in_map.xy + offset, 0.0).r;
-    if (depth < min(receiver + dot(slope, offset), 1.0)) {
+    if (depth < min(search.receiver + dot(slope, offset), 1.0)) {
       blockers += 1.0;
       blocker_depth += depth;
     }
   }
-  // A search of few taps that meets nothing, or no gap, is the answer.
-  bool undecided = blockers > 0.5 && blockers < float(BLOCKER_TAPS) - 0.5;
-  float gap_m = max(receiver - blocker_depth / max(blockers, 1.0), 0.0) * metres_per_unit.z;
+  // A search that meets nothing is the answer. One that meets no gap is not: there are smaller ones than its few taps.
+  bool undecided = blockers > 0.5;
+  float gap_m = max(search.receiver - blocker_depth / max(blockers, 1.0), 0.0) * metres_per_unit.z;
   vec2 radius = max(disc_slope * gap_m / metres_per_unit.xy, vec2(0.75 * texel));
   int filter_taps = undecided ? FILTER_TAPS : 0;
   float lit = 0.0;
   for (int i = 0; i < filter_taps; ++i) {
     vec2 offset = direction * sqrt((float(i) + 0.5) / float(FILTER_TAPS)) * radius;
     direction = next_direction(direction);
-    float reference = min(receiver + dot(slope, offset), 1.0);  // behind all casters too, an empty texel is lit
+    float reference = min(search.receiver + dot(slope, offset), 1.0);  // behind all casters too, an empty texel is lit
     lit += textureLod(depth_compare, vec3(at_in_map.xy + offset, reference), 0.0);
   }
   if (undecided) return lit / float(FILTER_TAPS);
-  return lit_all || (!dark_all && blockers < 0.5) ? 1.0 : 0.0;
+  return search.lit || (!search.dark && blockers < 0.5) ? 1.0 : 0.0;
 }
