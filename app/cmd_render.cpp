@@ -82,16 +82,14 @@ Timing time_frames(render::Renderer& renderer, const render::SceneState& state, 
   return timing;
 }
 
+nlohmann::ordered_json to_json(const Timing& timing, const RenderArguments& arguments) {
+  nlohmann::ordered_json json{{"frame_median_ms", timing.frame_median_ms}, {"passes", nlohmann::json::array()}};
+  for (const auto& [name, ms] : timing.pass_median_ms) json["passes"].push_back({{"name", name}, {"median_ms", ms}});
+  json["frames"] = arguments.frames;
+  return json;
+}
+
 void print_timing(const Timing& timing, const RenderArguments& arguments, const std::string& renderer_name) {
-  if (arguments.json) {
-    nlohmann::ordered_json json{{"frame_median_ms", timing.frame_median_ms}, {"passes", nlohmann::json::array()}};
-    for (const auto& [name, ms] : timing.pass_median_ms) json["passes"].push_back({{"name", name}, {"median_ms", ms}});
-    json["frames"] = arguments.frames;
-    json["size"] = arguments.still.size;
-    json["renderer"] = renderer_name;
-    std::cout << json.dump() << '\n';
-    return;
-  }
   std::cout << fmt::format("{:<12} {:9.3f} ms, median of {} frames on {}\n", "frame", timing.frame_median_ms,
                            arguments.frames, renderer_name);
   for (const auto& [name, ms] : timing.pass_median_ms) std::cout << fmt::format("{:<12} {:9.3f} ms\n", name, ms);
@@ -119,10 +117,21 @@ int run(const RenderArguments& arguments) {
   render::gl::Context context(arguments.egl_device);
   render::Renderer renderer(context);
   const render::Plan plan = render::make_plan(still.state, still.scene.quality);
+  nlohmann::ordered_json report = nlohmann::ordered_json::object();
   if (!arguments.output.empty()) write_still(renderer, still.state, plan, arguments.output);
   if (arguments.frames > 0) {
-    print_timing(time_frames(renderer, still.state, plan, arguments.frames), arguments, context.renderer_name());
+    const Timing timing = time_frames(renderer, still.state, plan, arguments.frames);
+    if (arguments.json) report = to_json(timing, arguments);
+    if (!arguments.json) print_timing(timing, arguments, context.renderer_name());
   }
+  if (!arguments.json) return kDone;
+  report["size"] = arguments.still.size;
+  if (plan.has(render::PassKind::Shafts)) report["shafts"] = render::to_text(plan.shafts);
+  if (const auto error = renderer.shafts_error()) {
+    report["shafts_error"] = {{"mean_relative", error->mean}, {"largest_relative", error->largest}};
+  }
+  report["renderer"] = context.renderer_name();
+  std::cout << report.dump() << '\n';
   return kDone;
 }
 
@@ -135,9 +144,11 @@ void add_render_command(CLI::App& app, Program& program) {
   command->add_option("-o,--output", arguments->output,
                       "OUT.exr: linear luminance, cd/m2, 32-bit float; OUT.png: exposed and displayed, 8 bits, sRGB");
   command->add_flag("--overwrite", arguments->overwrite, "Replace a file that exists");
-  auto* frames = command->add_option("--frames", arguments->frames, "Time that many frames; default: none")
-                     ->check(CLI::Range(1, 100000));
-  command->add_flag("--json", arguments->json, "Times as JSON, milliseconds")->needs(frames);
+  command->add_option("--frames", arguments->frames, "Time that many frames; default: none")
+      ->check(CLI::Range(1, 100000));
+  command->add_flag(
+      "--json", arguments->json,
+      "What was done as JSON: times in milliseconds, and the shafts' error where they estimate their own");
   command
       ->add_option("--egl-device", arguments->egl_device,
                    "Number of the GL device as `skyshaft doctor` lists them; default: hardware first")
@@ -145,6 +156,7 @@ void add_render_command(CLI::App& app, Program& program) {
   command->footer(
       "Examples:\n"
       "  skyshaft render --scene barn.yaml -o barn.png --size 1920x1080\n"
+      "  skyshaft render --scene barn.yaml -o truth.exr --shafts reference --json\n"
       "  skyshaft render --scene barn.yaml --frames 50 --json\n"
       "  {\"frame_median_ms\":31.2,\"passes\":[{\"name\":\"shadow\",\"median_ms\":2.1}, ...]}");
   command->callback([arguments, &program] { program.action = [arguments] { return run(*arguments); }; });

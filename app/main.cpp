@@ -12,6 +12,7 @@
 #include "app/error.h"
 #include "app/exit_status.h"
 #include "ar/error.h"
+#include "render/shafts/reference/reference_technique.h"
 
 namespace {
 
@@ -84,6 +85,7 @@ int parse_and_run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    render::add_shaft_reference();
     return parse_and_run(argc, argv);
   } catch (const app::UsageError& error) {
     print_error(error.what());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@
 #include "render/composite/planes.h"
 #include "render/composite/still_pass.h"
 #include "render/gl/label.h"
+#include "render/gl/read_back.h"
 #include "render/plan/pass_clock.h"
 #include "render/plan/screen_region.h"
 
@@ -23,6 +25,35 @@ const Pass* find(const Plan& plan, PassKind kind) {
   }
   return nullptr;
 }
+
+// Objects that are not there, as deep as those that are.
+class BareObjects {
+ public:
+  BareObjects(int width, int height)
+      : added_(GL_RGBA16F, width, height, gl::Filter::Nearest, 1, "no light"),
+        multiplier_(GL_RGB10_A2, width, height, gl::Filter::Nearest, 1, "all kept") {
+    gl::Framebuffer({&added_}, nullptr, "no light").bind();
+    clear(0.0F);
+    gl::Framebuffer({&multiplier_}, nullptr, "all kept").bind();
+    clear(1.0F);
+  }
+
+  ObjectsPicture picture(ObjectsPicture real) const {
+    real.added = added_.id();
+    real.multiplier = multiplier_.id();
+    return real;
+  }
+
+ private:
+  static void clear(float value) {
+    glDisable(GL_SCISSOR_TEST);
+    const std::array<float, 4> color{value, value, value, 1.0F};
+    glClearBufferfv(GL_COLOR, 0, color.data());
+  }
+
+  gl::Texture added_;
+  gl::Texture multiplier_;
+};
 
 // What decides the background of a still.
 struct BackgroundKey {
@@ -111,6 +142,17 @@ struct Renderer::Impl {
     return layers;
   }
 
+  // What is seen before a background of that luminance, with nothing but air between.
+  LinearImage before(const CompositeLayers& layers, float luminance, const SceneState& scene) {
+    LinearImage plain{layers.view->width, layers.view->height, {}};
+    plain.rgb.assign(static_cast<std::size_t>(plain.width) * static_cast<std::size_t>(plain.height),
+                     glm::vec3(luminance));
+    still_pass.set_background(plain);
+    background.reset();
+    still_pass.draw(layers, scene.exposure);
+    return still_pass.read();
+  }
+
   // The part of the real picture that the layers change.
   PixelRect changed_region(const SceneState& scene, const CompositeLayers& layers) const {
     PixelRect ideal;
@@ -163,6 +205,50 @@ LinearImage Renderer::render_linear(const SceneState& scene, const Plan& plan) {
   LinearImage image;
   impl.clock.time("read", [&] { image = impl.still_pass.read(); });
   impl.models.forget_unused();
+  return image;
+}
+
+AirImage Renderer::render_air(const SceneState& scene, const Plan& plan) {
+  Impl& impl = *impl_;
+  if (!plan.has(PassKind::Shafts)) throw std::logic_error("render_air: the plan has no shafts");
+  impl.clock.begin_frame();
+  impl.prepare(plan);
+  const View view = impl.view_for(scene.camera);
+  CompositeLayers layers = impl.draw_layers(scene, plan, view);
+  ObjectsPicture bare;
+  std::optional<BareObjects> nothing;
+  if (layers.objects != nullptr) {
+    nothing.emplace(view.width, view.height);
+    bare = nothing->picture(*layers.objects);
+    layers.objects = &bare;
+  }
+  const LinearImage light = impl.before(layers, 0.0F, scene);
+  const auto white =
+      static_cast<float>(1.0 / scene.exposure);  // as bright as the light, so that nothing is rounded off
+  const LinearImage through = impl.before(layers, white, scene);
+  AirImage air{.width = light.width, .height = light.height, .rgba = {}, .axis_distance_m = {}};
+  for (std::size_t i = 0; i < light.rgb.size(); ++i) {
+    const glm::vec3 kept = (through.rgb[i] - light.rgb[i]) / white;
+    air.rgba.emplace_back(light.rgb[i], kept.g);
+  }
+  if (layers.shafts->width == air.width && layers.shafts->height == air.height) {
+    air.axis_distance_m = gl::read_red(layers.shafts->distance, air.width, air.height);
+  }
+  impl.models.forget_unused();
+  return air;
+}
+
+std::optional<ShaftError> Renderer::shafts_error() const {
+  return impl_->shafts_technique ? impl_->shafts_technique->error() : std::nullopt;
+}
+
+LinearImage AirImage::in_scattered() const {
+  return {width, height, std::vector<glm::vec3>(rgba.begin(), rgba.end())};
+}
+
+LinearImage AirImage::transmittance() const {
+  LinearImage image{width, height, {}};
+  for (const glm::vec4& pixel : rgba) image.rgb.emplace_back(pixel.a);
   return image;
 }
 

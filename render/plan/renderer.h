@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,8 +9,22 @@
 #include "render/gl/context.h"
 #include "render/plan/plan.h"
 #include "render/scene/image_io.h"
+#include "render/shafts/shaft_technique.h"
 
 namespace render {
+
+// What a medium adds to and takes from a picture, upsampled to its size. Row 0 at the top.
+struct AirImage {
+  int width = 0;
+  int height = 0;
+  std::vector<glm::vec4> rgba;  // in-scattered luminance_rgb in cd/m2, not exposed; transmittance
+  // Metres along the camera's axis to what is seen, 1e9 and more: nothing. Empty where the technique's own picture is
+  // smaller.
+  std::vector<float> axis_distance_m;
+
+  LinearImage in_scattered() const;
+  LinearImage transmittance() const;  // grey
+};
 
 // Time of one pass of the last frame.
 struct PassTime {
@@ -32,6 +47,11 @@ class Renderer {
 
   // A still of the scene's own view, background = sky: unexposed luminance_rgb in cd/m2.
   LinearImage render_linear(const SceneState& scene, const Plan& plan);
+
+  // The shafts alone. The plan has a shaft pass.
+  AirImage render_air(const SceneState& scene, const Plan& plan);
+  // Of the last shafts drawn, where their technique estimates its own error.
+  std::optional<ShaftError> shafts_error() const;
 
   // The display-referred 8-bit sRGB form of a linear picture: exposure, highlight shoulder, sRGB, ordered dither.
   Image display_image(const LinearImage& linear, double exposure) const;

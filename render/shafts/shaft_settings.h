@@ -45,8 +45,10 @@ struct ShaftTechniqueInfo {
   const ShaftKnob* find(std::string_view knob) const;
 };
 
-// Every technique there is, in the order of DESIGN.md section 5. `auto` is none of them.
+// Every technique there is. `auto` is none of them.
 const std::vector<ShaftTechniqueInfo>& shaft_techniques();
+// For those that live in libraries of their own. Not while other threads look.
+void add_shaft_technique(ShaftTechniqueInfo info);
 const ShaftTechniqueInfo* find_shaft_technique(std::string_view name);
 
 // "auto", "march", "march:steps=128,divisor=1". Throws std::invalid_argument "found X; accepted: Y".

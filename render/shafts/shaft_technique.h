@@ -3,6 +3,7 @@
 #include <GLES3/gl31.h>
 
 #include <memory>
+#include <optional>
 
 #include "render/plan/scene_state.h"
 #include "render/scene/view.h"
@@ -30,6 +31,12 @@ struct ShaftPicture {
   int height = 0;
 };
 
+// What a technique knows of its own last picture's error.
+struct ShaftError {
+  double mean = 0.0;     // relative to the mean luminance
+  double largest = 0.0;  // of any pixel, relative to the largest luminance
+};
+
 // One way to compute the light scattered towards the eye (DESIGN.md section 5).
 class ShaftTechnique {
  public:
@@ -37,6 +44,8 @@ class ShaftTechnique {
 
   // The picture is owned by the technique and valid until its next draw.
   virtual const ShaftPicture& draw(const ShaftInputs& inputs) = 0;
+  // Only those that estimate it.
+  virtual std::optional<ShaftError> error() const { return std::nullopt; }
 };
 
 // By shaft_techniques(). Throws std::runtime_error for an unknown name, "auto" too.

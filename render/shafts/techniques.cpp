@@ -131,11 +131,20 @@ ShaftTechniqueInfo minmax() {
           }};
 }
 
+// Those of this library, and what add_shaft_technique() adds.
+std::vector<ShaftTechniqueInfo>& registry() {
+  static std::vector<ShaftTechniqueInfo> all{closed_form(), march(), interleaved(), epipolar(), minmax()};
+  return all;
+}
+
 }  // namespace
 
 const std::vector<ShaftTechniqueInfo>& shaft_techniques() {
-  static const std::vector<ShaftTechniqueInfo> all{closed_form(), march(), interleaved(), epipolar(), minmax()};
-  return all;
+  return registry();
+}
+
+void add_shaft_technique(ShaftTechniqueInfo info) {
+  registry().push_back(std::move(info));
 }
 
 }  // namespace render

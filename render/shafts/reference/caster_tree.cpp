@@ -76,14 +76,23 @@ glm::dvec3 middle_of(const std::vector<Instance>& instances) {
   return instances.empty() ? sum : sum / static_cast<double>(instances.size());
 }
 
-// Nothing more need be known of an opaque triangle than where it is.
-bool is_opaque(const Material& material) {
-  return material.alpha_mode == AlphaMode::Opaque;
+// Whether nothing more need be known of a material's triangles than where they are.
+bool is_opaque(const Model& model, const Material& material) {
+  if (material.alpha_mode == AlphaMode::Opaque) return true;
+  if (material.alpha_mode == AlphaMode::Blend) return false;
+  int least = 255;
+  if (material.base_color_texture.image >= 0) {
+    const std::vector<std::uint8_t>& rgba =
+        model.images[static_cast<std::size_t>(material.base_color_texture.image)].rgba;
+    for (std::size_t i = 3; i < rgba.size(); i += 4) least = std::min(least, static_cast<int>(rgba[i]));
+  }
+  return material.base_color.a * static_cast<float>(least) / 255.0F >= material.alpha_cutoff;
 }
 
 void add_triangles(const Instance& instance, const glm::dvec3& origin, std::vector<CasterTriangle>& out) {
   for (const Mesh& mesh : instance.model->meshes) {
     const Material& material = instance.model->materials[static_cast<std::size_t>(mesh.material)];
+    const bool opaque = is_opaque(*instance.model, material);
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
       CasterTriangle triangle;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -92,7 +101,7 @@ void add_triangles(const Instance& instance, const glm::dvec3& origin, std::vect
             glm::dvec3(instance.world_from_model * glm::dvec4(glm::dvec3(vertex.position), 1.0)) - origin;
         triangle.uv[k] = vertex.uv;
       }
-      if (!is_opaque(material)) {
+      if (!opaque) {
         triangle.model = instance.model.get();
         triangle.material = &material;
       }
@@ -170,25 +179,32 @@ CasterTree::CasterTree(const std::vector<Instance>& instances) : origin_in_world
   nodes_.push_back(only);
 }
 
-// Bit i: child i touches the sheet. Compares in single precision, on the side of looking into too many.
-unsigned CasterTree::reached(const Node& node, const SheetBounds& sheet) const {
+CasterTree::Limits::Limits(const SheetBounds& sheet, double radius_m) {
   const std::array<const HalfSpace*, 4> spaces{&sheet.plane, &sheet.lowest, &sheet.left, &sheet.right};
+  for (std::size_t k = 0; k < 4; ++k) {
+    normal[k] = glm::vec3(spaces[k]->normal);
+    size[k] = glm::abs(normal[k]);
+    offset[k] = static_cast<float>(spaces[k]->offset);
+    slack[k] = static_cast<float>(kSlack * (std::abs(spaces[k]->offset) + radius_m));
+  }
+}
+
+// Bit i: child i touches the sheet. Compares in single precision, on the side of looking into too many.
+unsigned CasterTree::reached(const Node& node, const Limits& limits) {
   std::array<std::array<float, kWidth>, 4> value;
   std::array<std::array<float, kWidth>, 4> reach;
   for (std::size_t k = 0; k < 4; ++k) {
-    const glm::vec3 n(spaces[k]->normal);
-    const glm::vec3 a = glm::abs(n);
-    const auto offset = static_cast<float>(spaces[k]->offset);
-    const auto slack = static_cast<float>(kSlack * (std::abs(spaces[k]->offset) + radius_m_));
+    const glm::vec3 n = limits.normal[k];
+    const glm::vec3 a = limits.size[k];
     for (std::size_t i = 0; i < kWidth; ++i) {
-      value[k][i] = n.x * node.middle[0][i] + n.y * node.middle[1][i] + n.z * node.middle[2][i] + offset;
-      reach[k][i] = a.x * node.half[0][i] + a.y * node.half[1][i] + a.z * node.half[2][i] + slack;
+      value[k][i] = n.x * node.middle[0][i] + n.y * node.middle[1][i] + n.z * node.middle[2][i] + limits.offset[k];
+      reach[k][i] = a.x * node.half[0][i] + a.y * node.half[1][i] + a.z * node.half[2][i] + limits.slack[k];
     }
   }
   unsigned mask = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(node.count); ++i) {
-    const bool touches = std::abs(value[0][i]) <= reach[0][i] && value[1][i] >= -reach[1][i] &&
-                         value[2][i] >= -reach[2][i] && value[3][i] <= reach[3][i];
+    const bool touches = (std::abs(value[0][i]) <= reach[0][i]) & (value[1][i] >= -reach[1][i]) &
+                         (value[2][i] >= -reach[2][i]) & (value[3][i] <= reach[3][i]);
     mask |= (touches ? 1U : 0U) << i;
   }
   return mask;

@@ -62,7 +62,15 @@ class CasterTree {
   };
   struct Builder;
 
-  unsigned reached(const Node& node, const SheetBounds& sheet) const;
+  // A sheet in single precision, and by how much that may be off.
+  struct Limits {
+    Limits(const SheetBounds& sheet, double radius_m);
+    std::array<glm::vec3, 4> normal;
+    std::array<glm::vec3, 4> size;  // of the normals' coordinates
+    std::array<float, 4> offset;
+    std::array<float, 4> slack;
+  };
+  static unsigned reached(const Node& node, const Limits& limits);
 
   glm::dvec3 origin_in_world_{0.0};
   double radius_m_ = 0.0;  // of a box about the origin that holds everything
@@ -74,13 +82,14 @@ class CasterTree {
 template <typename Found>
 void CasterTree::walk(const SheetBounds& sheet, Found&& found) const {
   if (nodes_.empty()) return;
+  const Limits limits(sheet, radius_m_);
   std::array<std::int32_t, 512> stack;  // eight at each of Embree's at most 32 levels, and to spare
   int waiting = 0;
   stack[0] = 0;
   waiting = 1;
   while (waiting > 0) {
     const Node& node = nodes_[static_cast<std::size_t>(stack[static_cast<std::size_t>(--waiting)])];
-    for (unsigned left = reached(node, sheet); left != 0; left &= left - 1) {
+    for (unsigned left = reached(node, limits); left != 0; left &= left - 1) {
       const std::int32_t child = node.child[static_cast<std::size_t>(__builtin_ctz(left))];
       if (child >= 0) {
         stack[static_cast<std::size_t>(waiting++)] = child;
