@@ -32,8 +32,8 @@ struct SunPosition {
 SunPosition sun_position(const Place& place, UtcTime time, SunTier tier = SunTier::Precise,
                          const Weather& weather = {});
 
-// Linke turbidity of a clear sky: the mean of clear days in Europe, and what lighting simulation takes where nothing is
-// said (Radiance's gensky).
+// Linke turbidity of a clear sky: what lighting simulation takes where nothing is said, near the European mean
+// (Radiance's gensky).
 inline constexpr double kClearTurbidity = 2.45;
 
 // What of the sun's light arrives at the ground.

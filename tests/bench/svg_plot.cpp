@@ -10,10 +10,10 @@
 namespace bench {
 namespace {
 
-constexpr double kWidth = 640.0;
+constexpr double kWidth = 660.0;
 constexpr double kHeight = 360.0;
 constexpr double kLeft = 70.0;
-constexpr double kRight = 500.0;  // names stand to the right of it
+constexpr double kRight = 490.0;  // names stand to the right of it
 constexpr double kTop = 40.0;
 constexpr double kBottom = 310.0;
 constexpr std::array<const char*, 8> kColors = {"#1b6ca8", "#d1495b", "#2e933c", "#8d5a97",
