@@ -17,8 +17,8 @@ glm::dvec3 daily_sun_au(const Place& place, UtcTime time);
 // parallax. Within 0.012 degrees of the truth, 1950-2100.
 glm::dvec3 psa_sun_au(const Place& place, UtcTime time);
 
-// IAU 2006/2000A through ERFA with UT1 = UTC and no polar motion: light time, aberration, nutation, parallax on WGS 84.
-// The reference.
+// The IAU's models through ERFA with UT1 = UTC and no polar motion: light time, aberration, precession and nutation
+// (2000B: within 0.003 arc seconds of 2006/2000A from 1950 to 2100), parallax on WGS 84. The reference.
 glm::dvec3 precise_sun_au(const Place& place, UtcTime time);
 
 }  // namespace render
