@@ -106,6 +106,30 @@ TEST(SkyPatches, GeodesicKeepsTheErrorThatItStates) {
   }
 }
 
+// A slit 1 degree wide from horizon to horizon through the zenith, in closed form along and across it.
+TEST(SkyPatches, GeodesicKeepsTheErrorThatItStatesThroughASlit) {
+  const auto sky = make_sky({.model = "perez"}, sun_at(35.0));
+  constexpr int kAlong = 4000;
+  constexpr int kAcross = 10;
+  double truth = 0.0;
+  for (int i = 0; i < kAlong; ++i) {
+    const double along = kPi * (i + 0.5) / kAlong;
+    for (int j = 0; j < kAcross; ++j) {
+      const double across = kDeg * ((j + 0.5) / kAcross - 0.5);
+      const glm::dvec3 view(std::sin(across), std::cos(across) * std::cos(along), std::cos(across) * std::sin(along));
+      truth += luminance(sky->luminance_rgb(view)) * std::cos(across) * view.z * kPi / kAlong * kDeg / kAcross;
+    }
+  }
+  for (const double stated : {0.05, 0.02, 0.005}) {
+    PatchOptions options = patches("geodesic", stated);
+    options.visibility = {
+        [](const glm::dvec3& d) { return std::abs(d.x) < std::sin(0.5 * kDeg) ? 1.0 : 0.0; },
+        [](const glm::dvec3& d) { return std::abs(std::asin(std::min(std::abs(d.x), 1.0)) - 0.5 * kDeg); }};
+    const SkyPatches tiles = make_patches(*sky, options);
+    EXPECT_LT(std::abs(luminance(tiles.illuminance_rgb({0, 0, 1})) / truth - 1.0), stated) << stated;
+  }
+}
+
 TEST(SkyPatches, PortalLetsThroughWhatItsSolidAngleHolds) {
   const UniformSky sky;
   // A window of 1 m x 1 m overhead at a height of 2 m: projected solid angle by Lambert's formula.
