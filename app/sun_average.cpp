@@ -12,7 +12,6 @@ namespace app {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kRadPerDeg = kPi / 180.0;
 constexpr double kSampleDeg = 3.75;
 
 // Directions sampled in every bin, `side` by `side`, evenly in azimuth and in the sine of the elevation.
