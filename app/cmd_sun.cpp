@@ -93,7 +93,7 @@ Plane plane_of(const SunArguments& arguments) {
 int run_average(const SunArguments& arguments, const render::Place& place, render::UtcTime first) {
   const double rows = 90.0 / arguments.bin_deg;
   if (std::abs(rows - std::round(rows)) > 1e-9) {
-    throw UsageError(fmt::format("--bin of {} degrees does not divide 90", arguments.bin_deg));
+    throw UsageError(fmt::format("--resolution of {} degrees does not divide 90", arguments.bin_deg));
   }
   const AverageLight light = average_light({.place = place,
                                             .first = first,
@@ -150,7 +150,8 @@ void add_average_options(CLI::App& sun, SunArguments& arguments) {
       ->delimiter(',')
       ->expected(2)
       ->default_str("0,0");
-  sun.add_option("--bin", arguments.bin_deg, "With --average: size of a direction bin in degrees, a divisor of 90")
+  sun.add_option("--resolution", arguments.bin_deg,
+                 "With --average: size of a direction bin in degrees, a divisor of 90")
       ->check(CLI::Range(1.0, 90.0))
       ->capture_default_str();
   add_model_options(sun, arguments.model);

@@ -304,7 +304,8 @@ TEST(SunAverage, WholeDayOfASouthRoofComesFromTheSouth) {
   EXPECT_GT(south, 3.0 * north);
   EXPECT_GT(south + north, 30000.0);  // a long bright day
   EXPECT_LT(south + north, 70000.0);
-  EXPECT_EQ(skyshaft({"sun", "--at", "0,0", "--time", "2024-06-21T03:00:00Z", "--average", "--bin", "7"}).status, 2);
+  EXPECT_EQ(skyshaft({"sun", "--at", "0,0", "--time", "2024-06-21T03:00:00Z", "--average", "--resolution", "7"}).status,
+            2);
   EXPECT_EQ(skyshaft({"sun", "--at", "0,0", "--time", "2024-06-21T03:00:00Z", "--average", "--plane", "0,200"}).status,
             2);
 }
