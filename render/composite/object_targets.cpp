@@ -16,7 +16,8 @@ ObjectTargets::ObjectTargets(int width_px, int height_px, int samples)
       real_shadow({&multiplier}, &real_depth, "shadow on real things") {
   if (samples == 0) return;
   light = gl::Texture(GL_RGBA16F, width, height, gl::Filter::Nearest, 1, "objects light");
-  lit = gl::Framebuffer({&light}, &depth, "objects light");
+  marks = gl::Texture(GL_R32F, width, height, gl::Filter::Nearest, 1, "objects marks");
+  lit = gl::Framebuffer({&light, &marks}, &depth, "objects light");
   smooth_added = gl::Renderbuffer(GL_RGBA16F, width, height, samples);
   smooth_depth = gl::Renderbuffer(GL_DEPTH_COMPONENT32F, width, height, samples);
   smooth = gl::Framebuffer({&smooth_added}, &smooth_depth, "smooth objects");

@@ -19,8 +19,9 @@ struct ObjectTargets {
   gl::Framebuffer objects;      // added and depth
   gl::Framebuffer real_shadow;  // multiplier and real_depth
   // With anti-aliasing:
-  gl::Texture light;  // of virtual things, and their facing codes
-  gl::Framebuffer lit;
+  gl::Texture light;    // of virtual things
+  gl::Texture marks;    // to know them by
+  gl::Framebuffer lit;  // light, marks and depth
   gl::Renderbuffer smooth_added;
   gl::Renderbuffer smooth_depth;
   gl::Framebuffer smooth;

@@ -12,13 +12,13 @@
 namespace render {
 namespace {
 
-constexpr int kLightUnit = 5;       // and its depth 6
+constexpr int kLightUnit = 5;       // and its marks 6
 constexpr int kVirtualMapUnit = 8;  // and 9; its bounds 10
 constexpr int kRealMapUnit = 11;    // and 12; its bounds 13
 
-void clear_color(const gl::Framebuffer& framebuffer, float rgb, float alpha = 1.0F) {
+void clear_color(const gl::Framebuffer& framebuffer, float rgb) {
   framebuffer.bind();
-  const std::array<GLfloat, 4> color{rgb, rgb, rgb, alpha};
+  const std::array<GLfloat, 4> color{rgb, rgb, rgb, 1.0F};
   glClearBufferfv(GL_COLOR, 0, color.data());
 }
 
@@ -161,7 +161,7 @@ struct ObjectsPass::Impl {
       if (use != SurfacePrograms::Use::Depth) set_light(program);
       if (use == SurfacePrograms::Use::SmoothEdges) {
         program.set("shaded", kLightUnit);
-        program.set("shaded_depth", kLightUnit + 1);
+        program.set("marks", kLightUnit + 1);
         const bool cut_out = is_cut_out(draw.material(), draw.textures());
         (cut_out ? glEnable : glDisable)(GL_SAMPLE_ALPHA_TO_COVERAGE);
         // The target's alpha is what stays uncovered: nothing of it where a mask's alpha made a sample covered.
@@ -205,15 +205,17 @@ struct ObjectsPass::Impl {
 
   void draw_smooth(const std::vector<Draw>& real, const std::vector<Draw>& solid, const std::vector<Draw>& blended) {
     scissor(covered);
-    clear_color(targets.lit, 0.0F, 0.0F);
-    draw_light(targets.lit, SurfacePrograms::Use::CodedLight, solid);
+    constexpr std::array<GLfloat, 4> kNone{0.0F, 0.0F, 0.0F, 0.0F};
+    targets.lit.bind();
+    glClearBufferfv(GL_COLOR, 1, kNone.data());
+    draw_light(targets.lit, SurfacePrograms::Use::MarkedLight, solid);
     clear_color(targets.smooth, 0.0F);
     clear_depth(targets.smooth);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     draw_real_depth(real);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     targets.light.bind(kLightUnit);
-    targets.depth.bind(kLightUnit + 1);
+    targets.marks.bind(kLightUnit + 1);
     draw_virtual(SurfacePrograms::Use::SmoothEdges, solid);
     draw_blended(targets.smooth, blended);
     gl::blit_color(targets.smooth, 0, targets.added_only, covered.x, covered.y, covered.width, covered.height);

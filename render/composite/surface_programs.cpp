@@ -61,7 +61,7 @@ const gl::Program& SurfacePrograms::virtual_surface(Use use, const Material& mat
   gl::Defines defines = defines_of(features);
   if (use != Use::Depth || features != 0) defines.push_back({"TEXTURED"});
   if (use != Use::Depth) defines.insert(defines.end(), {{"BLOCKER_TAPS", "4"}, {"FILTER_TAPS", "8"}});
-  if (use == Use::CodedLight) defines.push_back({"FACING_CODE"});
+  if (use == Use::MarkedLight) defines.push_back({"MARKED"});
   const char* shader = use == Use::Depth         ? "scene/depth.frag"
                        : use == Use::SmoothEdges ? "scene/smooth.frag"
                                                  : "scene/object.frag";

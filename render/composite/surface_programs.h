@@ -19,9 +19,9 @@ class SurfacePrograms {
     bool real_casters = false;
   };
 
-  // What a virtual surface is drawn for: its depth; its light, with what it leaves uncovered or with its facing code in
-  // alpha; smooth edges over light that is there already (shaders/scene/{depth,object,smooth}.frag).
-  enum class Use { Depth, Light, CodedLight, SmoothEdges };
+  // What a virtual surface is drawn for: its depth; its light; that and a mark to know the surface by; smooth edges
+  // from light and marks that are there already (shaders/scene/{depth,object,smooth}.frag).
+  enum class Use { Depth, Light, MarkedLight, SmoothEdges };
   const gl::Program& virtual_surface(Use use, const Material& material, const GpuModel::Textures& textures,
                                      Casts casts);
   const gl::Program& real_depth() const { return real_depth_; }

@@ -8,8 +8,8 @@ precision highp float;
 
 #include "scene/facing.glsl"
 
-uniform highp sampler2D shaded;        // rgb: light; a: facing_code(), 0 where no virtual surface is
-uniform highp sampler2D shaded_depth;  // window depth
+uniform highp sampler2D shaded;  // light
+uniform highp sampler2D marks;   // surface_mark(), 0 where no virtual surface is
 
 #ifdef ALPHA_MASK
 #include "scene/mask.glsl"
@@ -23,14 +23,17 @@ in vec2 v_uv;
 in vec3 v_normal;
 layout(location = 0) out vec4 added;  // a: ALPHA_MASK: coverage; else what stays uncovered: 0
 
-const float kFacingCosine = 0.9;  // 26 degrees: more than a code is off by, less than most edges turn
+// A cell's turn counts as much as this relative difference in distance: the sides of a lath are told apart by their
+// facing, a fruit's rim from the leaves behind by its distance.
+const float kTurn = 0.002;
 
-// How much less the surface in that pixel suits than one that lies as this one would there: by window depth, below 1;
-// another that faces elsewhere, up to 2; none at all, 4.
-float mismatch(vec4 there, ivec2 at, float expected_depth, vec3 normal) {
-  float off = abs(texelFetch(shaded_depth, at, 0).r - expected_depth);
-  if (dot(facing_of(there.a), normal) < kFacingCosine) off += 1.0;
-  return there.a > 0.5 ? off : 4.0;
+// How much less the surface in that pixel suits than one that would lie there at that near / z; none at all: 1e9.
+float mismatch(ivec2 at, float expected, vec2 cell) {
+  uint mark = floatBitsToUint(texelFetch(marks, at, 0).r);
+  float off = abs(uintBitsToFloat(mark & ~255u) / expected - 1.0);
+  vec2 turned = abs(vec2(float(mark & 15u), float((mark >> 4u) & 15u)) - cell);
+  off += kTurn * max(max(turned.x, turned.y) - 1.0, 0.0);  // one cell is rounding
+  return mark != 0u ? off : 1e9;
 }
 
 void main() {
@@ -39,24 +42,24 @@ void main() {
   alpha = mask_coverage(base_color.a * texture(base_color_texture, v_uv).a, alpha_cutoff, v_uv,
                         vec2(textureSize(base_color_texture, 0)));
 #endif
-  vec3 normal = normalize(v_normal) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec2 cell = facing_cell(gl_FrontFacing ? v_normal : -v_normal);
   ivec2 at = ivec2(gl_FragCoord.xy);
-  ivec2 last = textureSize(shaded, 0) - 1;
-  vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+  ivec2 last = textureSize(marks, 0) - 1;
+  float here = max(1.0 - gl_FragCoord.z, 1e-20);
+  vec2 slope = vec2(dFdx(here), dFdy(here));
 
-  vec4 light = texelFetch(shaded, at, 0);
   // Its own pixel first: within half a pixel along the surface, and what rounding leaves.
-  float least = mismatch(light, at, gl_FragCoord.z, normal) - 0.5 * (abs(slope.x) + abs(slope.y)) - 2e-6;
+  ivec2 best = at;
+  float least = mismatch(at, here, cell) - 0.5 * (abs(slope.x) + abs(slope.y)) / here - 1e-4;
   for (int i = 0; i < 4; ++i) {
     ivec2 step_px = i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5);
     ivec2 beside = clamp(at + step_px, ivec2(0), last);
-    vec4 there = texelFetch(shaded, beside, 0);
-    float off = mismatch(there, beside, gl_FragCoord.z + dot(slope, vec2(step_px)), normal);
+    float off = mismatch(beside, max(here + dot(slope, vec2(step_px)), 1e-20), cell);
     if (off < least) {
       least = off;
-      light = there;
+      best = beside;
     }
   }
-  if (least > 3.0) discard;
-  added = vec4(light.rgb, alpha);
+  if (least > 1e8) discard;
+  added = vec4(texelFetch(shaded, best, 0).rgb, alpha);
 }
