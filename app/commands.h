@@ -27,5 +27,6 @@ void add_render_command(CLI::App& app, Program& program);
 void add_sky_command(CLI::App& app, Program& program);
 void add_sun_command(CLI::App& app, Program& program);
 void add_synth_command(CLI::App& app, Program& program);
+void add_trade_command(CLI::App& app, Program& program);
 
 }  // namespace app

@@ -51,6 +51,7 @@ void add_commands(CLI::App& cli, app::Program& program) {
   app::add_sky_command(cli, program);
   app::add_sun_command(cli, program);
   app::add_synth_command(cli, program);
+  app::add_trade_command(cli, program);
   app::add_contact_command(cli, program);
   app::add_doctor_command(cli, program);
 }

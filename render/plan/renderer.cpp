@@ -32,10 +32,8 @@ class BareObjects {
   BareObjects(int width, int height)
       : added_(GL_RGBA16F, width, height, gl::Filter::Nearest, 1, "no light"),
         multiplier_(GL_RGB10_A2, width, height, gl::Filter::Nearest, 1, "all kept") {
-    gl::Framebuffer({&added_}, nullptr, "no light").bind();
-    clear(0.0F);
-    gl::Framebuffer({&multiplier_}, nullptr, "all kept").bind();
-    clear(1.0F);
+    clear(added_, 0.0F);
+    clear(multiplier_, 1.0F);
   }
 
   ObjectsPicture picture(ObjectsPicture real) const {
@@ -45,7 +43,9 @@ class BareObjects {
   }
 
  private:
-  static void clear(float value) {
+  static void clear(const gl::Texture& texture, float value) {
+    const gl::Framebuffer target({&texture}, nullptr, "objects that are not there");
+    target.bind();
     glDisable(GL_SCISSOR_TEST);
     const std::array<float, 4> color{value, value, value, 1.0F};
     glClearBufferfv(GL_COLOR, 0, color.data());
