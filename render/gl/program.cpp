@@ -33,10 +33,12 @@ struct Shader {
     GLint size = 0;
     glGetShaderiv(id, GL_INFO_LOG_LENGTH, &size);
     std::string log(static_cast<std::size_t>(std::max(size, 1)), '\0');
-    glGetShaderInfoLog(id, size, nullptr, log.data());
+    GLsizei written = 0;
+    glGetShaderInfoLog(id, static_cast<GLsizei>(log.size()), &written, log.data());
+    log.resize(static_cast<std::size_t>(written));
     glDeleteShader(id);
     throw std::runtime_error(fmt::format("shaders/{} with{} does not compile:\n{}", path, describe(defines),
-                                         readable_log(log.c_str(), source.files)));
+                                         readable_log(log, source.files)));
   }
   ~Shader() { glDeleteShader(id); }
   Shader(const Shader&) = delete;
