@@ -21,7 +21,7 @@ TEST_P(Help, IsAPageWithAnExampleOnStandardOutput) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         ::testing::Values("process", "render", "explain", "detect", "sky", "sun", "synth", "doctor"),
+                         ::testing::Values("process", "render", "explain", "detect", "sky", "sun", "synth", "trade", "doctor"),
                          [](const auto& command) { return std::string(command.param); });
 
 TEST(Usage, VersionIsPrinted) {
