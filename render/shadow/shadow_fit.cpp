@@ -139,6 +139,18 @@ glm::dmat3 world_from_light(const glm::dvec3& sun_direction_in_world) {
   return {across, glm::cross(travel, across), travel};
 }
 
+bool can_shade(const Instance& caster, const Box& box, const Sun& sun) {
+  const glm::dmat3 light_from_world = glm::transpose(world_from_light(sun.direction_in_world));
+  Bounds shaded;
+  for (const glm::dvec3& corner : corners(box.min_in_world, box.max_in_world)) shaded.add(light_from_world * corner);
+  const Bounds caster_in_light = box_in_light(caster, light_from_world);
+  const double way_m = shaded.high.z - caster_in_light.low.z;
+  const double spread_m = std::max(way_m, 0.0) * std::tan(sun.angular_radius_rad);
+  return way_m > 0.0 && caster_in_light.low.x < shaded.high.x + spread_m &&
+         caster_in_light.high.x > shaded.low.x - spread_m && caster_in_light.low.y < shaded.high.y + spread_m &&
+         caster_in_light.high.y > shaded.low.y - spread_m;
+}
+
 ShadowFit fit_shadow(const SceneState& scene, const View& view, const std::vector<const Instance*>& casters,
                      int size_px) {
   ShadowFit fit;

@@ -23,6 +23,10 @@ struct ShadowFit {
 enum class Casters { Virtual, Real };
 std::vector<const Instance*> casters(const SceneState& scene, Casters kind);
 
+// Whether an instance may hold up light of the sun's disc on its way into that box. Judged by their bounding boxes: yes
+// may be wrong, no never is.
+bool can_shade(const Instance& caster, const Box& box, const Sun& sun);
+
 // Axes of light space as columns, in the world: two across the light, the third along its travel. The first is level.
 glm::dmat3 world_from_light(const glm::dvec3& sun_direction_in_world);
 
