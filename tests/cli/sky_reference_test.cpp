@@ -130,8 +130,9 @@ TEST(SkyReference, PreethamMatches) {
   std::string csv =
       "utc,lat_deg,lon_deg,view_azimuth_deg,view_elevation_deg,turbidity,sun_elevation_deg,sun_azimuth_deg\n";
   for (const auto& row : truth) {
-    csv += ",,," + row.at("rel_azimuth_deg") + ',' + std::to_string(90.0 - number(row, "view_zenith_deg")) + ',' +
-           row.at("turbidity") + ',' + std::to_string(90.0 - number(row, "sun_zenith_deg")) + ",0\n";
+    csv += ",,,";
+    csv += row.at("rel_azimuth_deg") + ',' + std::to_string(90.0 - number(row, "view_zenith_deg")) + ',';
+    csv += row.at("turbidity") + ',' + std::to_string(90.0 - number(row, "sun_zenith_deg")) + ",0\n";
   }
   const Folder folder;
   const Rows ours = table_of(skyshaft({"sky", "--model", "preetham", "--batch", folder.write("in.csv", csv)}));
@@ -153,8 +154,8 @@ TEST(SkyReference, CieSkiesMatch) {
     for (const auto& row : truth) {
       if (row.at("type") != std::to_string(type)) continue;
       const std::string sun = std::to_string(90.0 - number(row, "sun_zenith_deg")) + ",0\n";
-      csv += ",,,0,90," + sun + ",,," + row.at("rel_azimuth_deg") + ',' +
-             std::to_string(90.0 - number(row, "view_zenith_deg")) + ',' + sun;
+      csv.append(",,,0,90,").append(sun).append(",,,").append(row.at("rel_azimuth_deg")).append(",");
+      csv.append(std::to_string(90.0 - number(row, "view_zenith_deg"))).append(",").append(sun);
       expected.push_back(number(row, "L_over_Lz"));
     }
     const Folder folder;
