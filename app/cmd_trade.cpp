@@ -64,7 +64,9 @@ void add_trade_command(CLI::App& app, Program& program) {
   auto arguments = std::make_shared<TradeArguments>();
   arguments->still.size = "640x360";
   add_still_options(*command, arguments->still);
-  command->remove_option(command->get_option("--shafts"));
+  for (const char* chosen : {"--shafts", "--max-error", "--target-ms"}) {  // here everything is measured
+    command->remove_option(command->get_option(chosen));
+  }
   command
       ->add_option("-o,--output", arguments->folder,
                    "Folder for trade.csv, trade.html (one self-contained page), and the truth: truth.exr (in-scattered "

@@ -42,11 +42,27 @@ void add_still_options(CLI::App& command, StillArguments& arguments) {
   command.add_option("--time", arguments.time, "2024-06-21T07:30:00Z or with an offset; default: the scene's");
   command.add_option("--size", arguments.size, "WIDTHxHEIGHT of the picture, pixels; default: 1280x720");
   command.add_option("--shafts", arguments.shafts, shafts_help());
+  command
+      .add_option(
+          "--max-error", arguments.shaft_demand.max_error,
+          "The cheapest setting of the shafts known to hold this relative RMSE of the in-scattered light, by the "
+          "table measured on the standard scenes; default: the scene's quality.max_error")
+      ->check(CLI::Range(1e-6, 1.0));
+  command
+      .add_option(
+          "--target-ms", arguments.shaft_demand.target_ms,
+          "The most accurate setting known to fit that time, milliseconds, by the same table; with --max-error: "
+          "the cheapest that holds it and fits; default: the scene's quality.target_ms")
+      ->check(CLI::PositiveNumber);
 }
 
 Still make_still(const StillArguments& arguments) {
   const auto [width, height] = parse_size(arguments.size);
   Still still{.scene = load_scene_file(arguments.scene), .state = {}};
+  if (arguments.shaft_demand.max_error || arguments.shaft_demand.target_ms) {
+    still.scene.quality.shafts = {};
+    still.scene.quality.shaft_demand = arguments.shaft_demand;
+  }
   if (!arguments.shafts.empty()) still.scene.quality.shafts = parse_shafts("--shafts", arguments.shafts);
   const Conditions conditions = resolve_conditions(arguments.at, arguments.time, still.scene, {});
   log_conditions(conditions);

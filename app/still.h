@@ -6,6 +6,7 @@
 
 #include "app/scene_file/scene_file.h"
 #include "render/plan/scene_state.h"
+#include "render/plan/shaft_table.h"
 
 namespace CLI {
 class App;
@@ -19,6 +20,7 @@ struct StillArguments {
   std::optional<std::string> at;
   std::optional<std::string> time;
   std::string shafts;
+  render::ShaftDemand shaft_demand;  // replaces the scene's technique, unless --shafts names one
   std::string size = "1280x720";
 };
 void add_still_options(CLI::App& command, StillArguments& arguments);

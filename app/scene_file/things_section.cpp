@@ -119,7 +119,7 @@ SceneView read_view(const YamlValue& value) {
 }
 
 render::Quality read_quality(const YamlValue& value) {
-  const YamlMap map = value.map({"shafts", "shadow_map_size", "anti_alias"}, {"max_error", "target_ms"});
+  const YamlMap map = value.map({"shafts", "max_error", "target_ms", "shadow_map_size", "anti_alias"});
   render::Quality quality;
   if (const auto shafts = map.find("shafts")) {
     try {
@@ -128,6 +128,11 @@ render::Quality read_quality(const YamlValue& value) {
       throw ar::InputError(error.what());
     }
   }
+  if (const auto error = map.find("max_error")) {
+    quality.shaft_demand.max_error =
+        error->number("relative error above 0, at most 1", [](double x) { return x > 0.0 && x <= 1.0; });
+  }
+  if (const auto time = map.find("target_ms")) quality.shaft_demand.target_ms = read_positive(*time, "milliseconds");
   if (const auto size = map.find("shadow_map_size")) quality.shadow_map_size = size->integer(1, 8192);
   if (const auto anti_alias = map.find("anti_alias")) quality.anti_alias = anti_alias->boolean();
   return quality;

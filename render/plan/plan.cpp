@@ -90,7 +90,13 @@ class Planner {
 
   void resolve_technique() {
     if (plan_.shafts.technique != "auto") return;
-    plan_.shafts.technique = needs_.sun && needs_.casters ? "interleaved" : "closed-form";
+    if (!needs_.sun || !needs_.casters) {
+      plan_.shafts.technique = "closed-form";
+      return;
+    }
+    const double pixels = static_cast<double>(scene_.camera.width) * scene_.camera.height;
+    const auto chosen = choose_shafts(shaft_table(), quality_.shaft_demand, pixels);
+    plan_.shafts = chosen.value_or(ShaftSettings{.technique = "interleaved"});
   }
 
   void plan_shadow() {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/plan/scene_state.h"
+#include "render/plan/shaft_table.h"
 #include "render/shafts/shaft_settings.h"
 
 namespace render {
@@ -36,6 +37,7 @@ struct Plan {
 // What the user or the scene file asks of the renderer.
 struct Quality {
   ShaftSettings shafts;
+  ShaftDemand shaft_demand;  // what "auto" has to hold, by the measured table
   int shadow_map_size = 2048;
   bool anti_alias = true;
 };
