@@ -44,9 +44,7 @@ std::shared_ptr<const render::SkyModel> sky_for(const SceneSky& sky, const rende
   }
 }
 
-glm::dvec3 sun_illuminance_rgb(const SceneSun& sun, const render::SunPosition& position, double turbidity,
-                               double height_m) {
-  const glm::dvec3 natural = render::sun_light(position, turbidity, height_m).illuminance_rgb;
+glm::dvec3 sun_illuminance_rgb(const SceneSun& sun, const glm::dvec3& natural) {
   const double lux = sun.illuminance_lux.value_or(glm::dot(natural, kRec709));
   if (sun.has_color || sun.illuminance_lux) return sun.color * (lux / glm::dot(sun.color, kRec709));
   return natural;
@@ -69,6 +67,7 @@ SceneStateBuilder::SceneStateBuilder(const SceneFile& scene, const Conditions& c
   for (const SceneThing& thing : scene.things) state_.instances.push_back(to_instance(thing));
   state_.medium = scene.medium;
   light(0);
+  for (const std::string& message : render::beyond_range(sky_options(0), sun_at(0))) spdlog::warn(message);
   state_.exposure = exposure_.value_or(state_.exposure);
 }
 
@@ -86,6 +85,7 @@ render::SunPosition SceneStateBuilder::sun_at(std::int64_t second) const {
 // The scene's sky at that second: clouds drift with the time of day, the moon stands where place and time put it.
 render::SkyOptions SceneStateBuilder::sky_options(std::int64_t second) const {
   render::SkyOptions options = sky_.options;
+  if (conditions_.place) options.height_m = conditions_.place->height_m;
   if (!conditions_.time) return options;
   const render::UtcTime now = *conditions_.time + std::chrono::seconds(second);
   const auto midnight = std::chrono::floor<std::chrono::days>(now);
@@ -100,16 +100,19 @@ void SceneStateBuilder::light(std::int64_t second) {
   if (second_ == second) return;
   second_ = second;
   const render::SunPosition sun = sun_at(second);
-  const double height_m = conditions_.place ? conditions_.place->height_m : 0.0;
   state_.sun.direction_in_world = sun.apparent_direction_in_world();
-  state_.sun.illuminance_rgb = sun_illuminance_rgb(sun_, sun, sky_.options.turbidity, height_m);
-  state_.sun.angular_radius_rad = sun_.angular_radius_rad.value_or(sun.angular_radius_rad);
   const render::SkyOptions options = sky_options(second);
+  const render::SunLight natural = render::sun_light(sun, options.turbidity, options.height_m);
+  state_.sun.illuminance_rgb = sun_illuminance_rgb(sun_, natural.illuminance_rgb);
+  state_.sun.angular_radius_rad = sun_.angular_radius_rad.value_or(natural.shadow_radius_rad);
   state_.sky = sky_for(sky_, options, sun);
-  const bool moonlit = options.moon && !sun_.illuminance_lux && state_.sun.illuminance_rgb == glm::dvec3(0.0);
-  if (moonlit) {  // once the sun is down, the moon casts the shadows
-    state_.sun.direction_in_world = options.moon->apparent_direction_in_world();
-    state_.sun.illuminance_rgb = render::moon_illuminance_rgb(*options.moon, options.turbidity);
+  state_.sun.is_moon = false;
+  if (options.moon && !sun_.illuminance_lux && state_.sun.illuminance_rgb == glm::dvec3(0.0)) {
+    // Once the sun is down, the moon casts the shadows.
+    const glm::dvec3 moonlight = render::moon_illuminance_rgb(*options.moon, options.turbidity);
+    if (moonlight != glm::dvec3(0.0)) {
+      state_.sun = {options.moon->apparent_direction_in_world(), moonlight, state_.sun.angular_radius_rad, true};
+    }
   }
   if (state_.sky) state_.sun.illuminance_rgb *= state_.sky->transmittance(state_.sun.direction_in_world);
   const glm::dvec3 on_level_ground = state_.sun.illuminance_rgb * std::max(0.0, state_.sun.direction_in_world.z);
@@ -131,8 +134,8 @@ double horizontal_illuminance(const render::SceneState& state) {
 void log_light(const render::SceneState& state) {
   const glm::dvec3& direction = state.sun.direction_in_world;
   const double azimuth_deg = kDegPerRad * std::atan2(direction.x, direction.y);
-  spdlog::info("sun at azimuth {:.2f}, elevation {:.2f} degrees, {:.0f} lux; sky {:.0f} lux on level ground",
-               azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg,
+  spdlog::info("{} at azimuth {:.2f}, elevation {:.2f} degrees, {:.5g} lux; sky {:.5g} lux on level ground",
+               state.sun.is_moon ? "moon" : "sun", azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg,
                kDegPerRad * std::asin(std::clamp(direction.z, -1.0, 1.0)), glm::dot(state.sun.illuminance_rgb, kRec709),
                glm::dot(state.sky_light.horizontal_illuminance_rgb, kRec709));
 }

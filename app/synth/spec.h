@@ -69,7 +69,7 @@ struct Spec {
   double height_m = 0.0;
   std::chrono::sys_time<std::chrono::microseconds> time;
   std::string sky_model = "perez";
-  double turbidity = 3.0;
+  double turbidity = 2.45;
   double clouds = 0.0;             // share of the sky with thin high cloud, drawn only
   std::optional<double> exposure;  // display-linear per cd/m2; absent: a grey card on the ground comes out as grey
   double shutter_s = 0.004;

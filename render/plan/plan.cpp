@@ -16,14 +16,25 @@ struct Needs {
   bool sun = false;
   bool casters = false;
   bool medium = false;
+  bool shafts = false;  // casters that can shade the medium
 };
+
+bool can_shade_medium(const SceneState& scene, const std::vector<const Instance*>& casters) {
+  const std::optional<Box>& extent = scene.medium->extent;
+  return std::ranges::any_of(casters,
+                             [&](const Instance* caster) { return !extent || can_shade(*caster, *extent, scene.sun); });
+}
 
 Needs needs_of(const SceneState& scene) {
   Needs needs;
   for (const Instance& instance : scene.instances) ++(instance.real ? needs.real_things : needs.virtual_things);
   needs.sun = std::max({scene.sun.illuminance_rgb.r, scene.sun.illuminance_rgb.g, scene.sun.illuminance_rgb.b}) > 0.0;
-  needs.casters = !casters(scene, Casters::Virtual).empty() || !casters(scene, Casters::Real).empty();
+  const std::vector<const Instance*> virtual_casters = casters(scene, Casters::Virtual);
+  const std::vector<const Instance*> real_casters = casters(scene, Casters::Real);
+  needs.casters = !virtual_casters.empty() || !real_casters.empty();
   needs.medium = scene.medium && scene.medium->extinction_per_m > 0.0;
+  needs.shafts =
+      needs.medium && needs.sun && (can_shade_medium(scene, virtual_casters) || can_shade_medium(scene, real_casters));
   return needs;
 }
 
@@ -90,7 +101,7 @@ class Planner {
 
   void resolve_technique() {
     if (plan_.shafts.technique != "auto") return;
-    if (!needs_.sun || !needs_.casters) {
+    if (!needs_.shafts) {
       plan_.shafts.technique = "closed-form";
       return;
     }
@@ -102,10 +113,13 @@ class Planner {
   void plan_shadow() {
     if (!needs_.sun) return omit("shadow", "no sunlight: the sun is down or has no illuminance");
     if (!needs_.casters) return omit("shadow", "nothing in the scene casts a shadow");
+    if (needs_.virtual_things == 0 && !needs_.shafts) {
+      return omit("shadow", "no shadow falls on virtual things or into the medium");
+    }
     add(PassKind::SunShadow, "shadow",
         fmt::format("{0} x {0} texels, drawn again only when the sun, a caster or the region they shade changes",
                     quality_.shadow_map_size),
-        "sunlight and things that cast shadows");
+        fmt::format("{} and things that cast shadows", scene_.sun.is_moon ? "moonlight" : "sunlight"));
   }
 
   void plan_objects() {
@@ -122,9 +136,8 @@ class Planner {
   void plan_shafts() {
     if (!scene_.medium) return omit("shafts", "the scene has no medium");
     if (!needs_.medium) return omit("shafts", "the medium's extinction is zero");
-    const bool shaded = needs_.sun && needs_.casters;
     add(PassKind::Shafts, "shafts", described(plan_.shafts),
-        shaded        ? "a medium, and casters that carve shafts into the sunlight"
+        needs_.shafts ? "a medium, and casters that carve shafts into the sunlight"
         : !needs_.sun ? "a medium lit by the sky alone"
                       : "a medium with nothing between it and the sun");
   }

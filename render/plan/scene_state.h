@@ -40,11 +40,12 @@ struct Camera {
   glm::dmat4 world_from_camera{1.0};    // rigid; camera x right, y down, z forward
 };
 
-// The sun as light: parallel, or a disc of that angular radius.
+// The sun as light: parallel, or a disc of that angular radius. By night the moon takes its place.
 struct Sun {
   glm::dvec3 direction_in_world{0.0, 0.0, 1.0};  // unit, towards the sun
   glm::dvec3 illuminance_rgb{0.0};               // lux on a plane facing it; zero: no sun
   double angular_radius_rad = 0.0;               // 0: sharp shadows
+  bool is_moon = false;                          // for what people are told
 };
 
 // Everything about one instant, as plain values. Building it needs no GL.

@@ -140,15 +140,28 @@ glm::dmat3 world_from_light(const glm::dvec3& sun_direction_in_world) {
 }
 
 bool can_shade(const Instance& caster, const Box& box, const Sun& sun) {
-  const glm::dmat3 light_from_world = glm::transpose(world_from_light(sun.direction_in_world));
-  Bounds shaded;
-  for (const glm::dvec3& corner : corners(box.min_in_world, box.max_in_world)) shaded.add(light_from_world * corner);
-  const Bounds caster_in_light = box_in_light(caster, light_from_world);
-  const double way_m = shaded.high.z - caster_in_light.low.z;
-  const double spread_m = std::max(way_m, 0.0) * std::tan(sun.angular_radius_rad);
-  return way_m > 0.0 && caster_in_light.low.x < shaded.high.x + spread_m &&
-         caster_in_light.high.x > shaded.low.x - spread_m && caster_in_light.low.y < shaded.high.y + spread_m &&
-         caster_in_light.high.y > shaded.low.y - spread_m;
+  const Bounds held = box_in_light(caster, glm::dmat3(1.0));  // in the world's axes
+  // Light that leaves a point c of the caster is in the box after a way t where c + t * travel is: where the ray t *
+  // travel meets the box of all differences. The sun's disc spreads it to the sides.
+  const double farthest_m = glm::length(glm::max(glm::abs(box.max_in_world - held.low),  //
+                                                 glm::abs(held.high - box.min_in_world)));
+  const double spread_m = farthest_m * std::tan(sun.angular_radius_rad);
+  const glm::dvec3 low = box.min_in_world - held.high - spread_m;
+  const glm::dvec3 high = box.max_in_world - held.low + spread_m;
+  double enter_m = 0.0;
+  double leave_m = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double travel = -sun.direction_in_world[axis];
+    if (travel == 0.0) {
+      if (low[axis] > 0.0 || high[axis] < 0.0) return false;
+      continue;
+    }
+    const double a = low[axis] / travel;
+    const double b = high[axis] / travel;
+    enter_m = std::max(enter_m, std::min(a, b));
+    leave_m = std::min(leave_m, std::max(a, b));
+  }
+  return enter_m <= leave_m;
 }
 
 ShadowFit fit_shadow(const SceneState& scene, const View& view, const std::vector<const Instance*>& casters,

@@ -98,6 +98,32 @@ TEST(Plan, CastersInAMediumAreInterleaved) {
   EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "interleaved");
 }
 
+TEST(Plan, CastersThatCannotShadeTheMediumCarveNoShafts) {
+  SceneState scene = sunlit_scene();  // the sun stands in the south, 45 degrees high
+  scene.instances.push_back(box(false));
+  scene.medium = haze();
+  scene.medium->extent = render::Box{{-1.0, -6.0, 0.0}, {1.0, -4.0, 1.0}};  // on the box's sunny side
+  const Plan sunny_side = render::make_plan(scene, {});
+  EXPECT_EQ(sunny_side.shafts.technique, "closed-form");
+  EXPECT_TRUE(sunny_side.has(PassKind::SunShadow)) << "the box may still shade itself";
+  scene.medium->extent = render::Box{{-1.0, 1.0, -3.0}, {1.0, 3.0, -1.0}};
+  EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "interleaved");
+  scene.medium->extent = render::Box{{0.51, 1.0, -3.0}, {1.0, 3.0, -1.0}};  // a centimetre beside its shadow
+  EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "closed-form");
+  scene.sun.angular_radius_rad = 0.00465;  // and within the penumbra
+  EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "interleaved");
+}
+
+TEST(Plan, NoShadowMapWhereShadowsFallOnNothingDrawn) {
+  SceneState scene = sunlit_scene();
+  scene.instances.push_back(box(true));
+  scene.medium = haze();
+  scene.medium->extent = render::Box{{-1.0, -6.0, 0.0}, {1.0, -4.0, 1.0}};
+  const Plan plan = render::make_plan(scene, {});
+  EXPECT_FALSE(plan.has(PassKind::SunShadow));
+  EXPECT_THAT(omission(plan, "shadow"), HasSubstr("into the medium"));
+}
+
 TEST(Plan, AMediumWithoutExtinctionIsNone) {
   SceneState scene = sunlit_scene();
   scene.instances.push_back(box(false));
