@@ -71,13 +71,15 @@ void set_view(const gl::Program& program, const ShaftInputs& inputs, const glm::
 
 const gl::Program& AirProgram::use(const ShaftInputs& inputs, const glm::ivec2& size_px) {
   const Medium& medium = *inputs.scene.medium;
-  const int key = (medium.extent ? 1 : 0) + (medium.falloff ? 2 : 0) + (inputs.depth == 0 ? 4 : 0);
+  const int key = (medium.extent ? 1 : 0) + (medium.falloff ? 2 : 0) + (inputs.depth == 0 ? 4 : 0) +
+                  (size_px.x < inputs.view.width ? 8 : 0);
   auto found = variants_.find(key);
   if (found == variants_.end()) {
     gl::Defines defines = defines_;
     if (medium.extent) defines.push_back({"BOUNDED"});
     if (medium.falloff) defines.push_back({"FALLOFF"});
     if (inputs.depth == 0) defines.push_back({"NO_DEPTH"});
+    if (size_px.x < inputs.view.width) defines.push_back({"DIVIDED"});
     found = variants_.emplace(key, gl::Program("lib/full_screen.vert", path_, defines)).first;
   }
   found->second.use();

@@ -8,8 +8,8 @@
 
 namespace render {
 
-// A fragment shader over shaders/shafts/ray.glsl in the variants that media and views ask for (NO_DEPTH, BOUNDED,
-// FALLOFF), each made when first used.
+// A fragment shader over shaders/shafts/ray.glsl in the variants that media and views ask for (NO_DEPTH, DIVIDED,
+// BOUNDED, FALLOFF), each made when first used.
 class AirProgram {
  public:
   explicit AirProgram(std::string fragment_path, gl::Defines defines = {})

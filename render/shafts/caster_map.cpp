@@ -133,6 +133,7 @@ void CasterMap::bind(const gl::Program& program, const ShaftInputs& inputs, int 
   const glm::dvec2 texel_m = glm::dvec2(size_m_) / glm::dvec2(size_px_);
   program.set("map_from_local", glm::mat4(map_from_world_ * glm::inverse(inputs.view.local_from_world())));
   program.set("end_margin_m", static_cast<float>(3.0 * std::max(texel_m.x, texel_m.y)));
+  program.set("end_margin", 0.0F);
   program.set("caster_depth", unit);
   if (only_) {
     inputs.shadow.bind_depth(*only_, unit);

@@ -1,5 +1,7 @@
 #include "render/shafts/epipolar.h"
 
+#include <algorithm>
+
 namespace render {
 namespace {
 
@@ -8,12 +10,18 @@ constexpr int kTreesUnit = 2;  // and two more
 constexpr int kMapUnit = 8;
 constexpr float kDepthTolerance = 0.02F;
 
+gl::Defines with(gl::Defines defines, const char* name) {
+  defines.push_back({name});
+  return defines;
+}
+
 }  // namespace
 
 Epipolar::Epipolar(const LineSettings& settings, const gl::Defines& defines)
     : settings_(settings),
       sample_("shafts/line_samples.frag", defines),
-      picture_("shafts/line_picture.frag", defines),
+      between_("shafts/line_picture.frag"),
+      alone_("shafts/line_picture.frag", with(defines, "ALONE")),
       open_(settings.divisor) {}
 
 Epipolar::Epipolar(const LineSettings& settings) : Epipolar(settings, gl::Defines{}) {}
@@ -30,6 +38,9 @@ void Epipolar::bind(const gl::Program& program, const ShaftInputs& inputs, const
     steps_->set(program);
   } else {
     trees_.bind(program, kTreesUnit);
+    // A pixel's slice is up to half a line's distance beside it: twice that, for walls seen askew.
+    const double px_rad = inputs.view.width / (inputs.view.focal_px.x * layout.picture_px.x);
+    program.set("end_margin", static_cast<float>(std::min(2.0 * settings_.line_px * px_rad, 0.5)));
   }
 }
 
@@ -45,6 +56,29 @@ void Epipolar::draw_samples(const ShaftInputs& inputs, const LineLayout& layout)
   gl::draw_full_screen(no_vertices_);
 }
 
+void Epipolar::draw_picture(const ShaftInputs& inputs, const LineLayout& layout) {
+  const glm::ivec2 size_px = layout.picture_px;
+  target_.begin(inputs, size_px);
+  glEnable(GL_DEPTH_TEST);
+  // What samples tell is drawn nearest, whatever is there; the rest before the farthest.
+  const gl::Program& between = between_.use(inputs, size_px);
+  layout.set(between);
+  between.set("tolerance", static_cast<float>(settings_.tolerance));
+  between.set("depth_tolerance", kDepthTolerance);
+  between.set("samples", kSamplesUnit);
+  between.set("samples_texel", 1.0F / glm::vec2(samples_.width(), samples_.height()));
+  samples_.bind(kSamplesUnit);
+  glDepthFunc(GL_ALWAYS);
+  glDepthRangef(0.0F, 0.0F);
+  gl::draw_full_screen(no_vertices_);
+  glDepthRangef(0.0F, 1.0F);
+  glDepthFunc(GL_LESS);
+  bind(alone_.use(inputs, size_px), inputs, layout);
+  gl::draw_full_screen(no_vertices_);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_SCISSOR_TEST);
+}
+
 const ShaftPicture& Epipolar::draw(const ShaftInputs& inputs) {
   casters_.update(inputs);
   if (casters_.empty()) return open_.draw(inputs);
@@ -53,16 +87,8 @@ const ShaftPicture& Epipolar::draw(const ShaftInputs& inputs) {
   plain_state();
   if (!steps_) trees_.update(inputs, casters_, layout);
   draw_samples(inputs, layout);
-  target_.begin(inputs, size_px);
-  const gl::Program& picture = picture_.use(inputs, size_px);
-  bind(picture, inputs, layout);
-  picture.set("tolerance", static_cast<float>(settings_.tolerance));
-  picture.set("depth_tolerance", kDepthTolerance);
-  picture.set("samples", kSamplesUnit);
-  samples_.bind(kSamplesUnit);
-  gl::draw_full_screen(no_vertices_);
+  draw_picture(inputs, layout);
   CasterMap::unbind(kMapUnit);
-  glDisable(GL_SCISSOR_TEST);
   return target_.picture();
 }
 

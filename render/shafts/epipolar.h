@@ -16,7 +16,7 @@ namespace render {
 struct LineSettings {
   double line_px = 2.0;     // between lines, where they leave the picture
   double sample_px = 16.0;  // between samples on a line
-  double tolerance = 0.02;  // of the lit part of the sunlight, from one sample to the next; above it, none in between
+  double tolerance = 0.05;  // of the lit part of the sunlight, from one sample to the next; above it, none in between
   int divisor = 1;
 };
 
@@ -34,17 +34,19 @@ class Epipolar : public ShaftTechnique {
   Epipolar(const LineSettings& settings, const gl::Defines& defines);
   void bind(const gl::Program& program, const ShaftInputs& inputs, const LineLayout& layout) const;
   void draw_samples(const ShaftInputs& inputs, const LineLayout& layout);
+  void draw_picture(const ShaftInputs& inputs, const LineLayout& layout);
 
   LineSettings settings_;
   std::optional<MarchSteps> steps_;
   CasterMap casters_{1};
   SliceTrees trees_;
   AirProgram sample_;
-  AirProgram picture_;
+  AirProgram between_;  // pixels that samples tell
+  AirProgram alone_;    // all others
   gl::Texture samples_;
   gl::Framebuffer to_samples_;
   gl::VertexArray no_vertices_;
-  ShaftTarget target_;
+  ShaftTarget target_{true};
   ClosedForm open_;
 };
 

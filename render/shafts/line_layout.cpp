@@ -28,13 +28,22 @@ LineLayout lay_out_lines(const ShaftInputs& inputs, const glm::ivec2& picture_px
   // Whether the way from the sun's place to each border leads out of the picture.
   const glm::bvec4 faces_away(sun.x > 0.0, size.x * sun.z > sun.x, sun.y > 0.0, size.y * sun.z > sun.y);
   for (int side = 0; side < 4; ++side) {
-    if (!faces_away[side]) continue;
     layout.side_first[side] = layout.rows;
+    if (!faces_away[side]) continue;
     layout.side_count[side] = static_cast<int>(std::ceil((side < 2 ? size.y : size.x) / line_px)) + 1;
     layout.rows += layout.side_count[side];
   }
   layout.places = std::max(static_cast<int>(std::ceil(glm::length(size) / sample_px)), 1);
   return layout;
+}
+
+glm::dvec2 LineLayout::end_px(int row) const {
+  int side = 0;
+  while (side < 3 && row >= side_first[side] + side_count[side]) ++side;
+  const double part = static_cast<double>(row - side_first[side]) / std::max(side_count[side] - 1, 1);
+  const glm::dvec2 size(picture_px);
+  if (side < 2) return {side == 0 ? 0.0 : size.x, part * size.y};
+  return {part * size.x, side == 2 ? 0.0 : size.y};
 }
 
 void LineLayout::set(const gl::Program& program) const {

@@ -16,6 +16,9 @@ struct LineLayout {
   int rows = 0;
   int places = 1;  // samples on a line, less one
 
+  // Where the line of that row ends on the picture's border, pixels.
+  glm::dvec2 end_px(int row) const;
+
   void set(const gl::Program& program) const;
 };
 

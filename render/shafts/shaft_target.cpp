@@ -36,11 +36,18 @@ void ShaftTarget::begin(const ShaftInputs& inputs, const glm::ivec2& size_px) {
   if (picture_.width != size_px.x || picture_.height != size_px.y) {
     scattered_ = gl::Texture(GL_RGBA16F, size_px.x, size_px.y, gl::Filter::Linear, 1, "shafts");
     distance_ = gl::Texture(GL_R32F, size_px.x, size_px.y, gl::Filter::Nearest, 1, "shaft distance");
-    framebuffer_ = gl::Framebuffer({&scattered_, &distance_}, nullptr, "shafts");
+    if (with_depth_)
+      depth_ = gl::Texture(GL_DEPTH_COMPONENT16, size_px.x, size_px.y, gl::Filter::Nearest, 1, "shafts left");
+    framebuffer_ = gl::Framebuffer({&scattered_, &distance_}, with_depth_ ? &depth_ : nullptr, "shafts");
     picture_ = {.texture = scattered_.id(), .distance = distance_.id(), .width = size_px.x, .height = size_px.y};
   }
   framebuffer_.bind();
   plain_state();
+  if (with_depth_) {
+    const float farthest = 1.0F;
+    glDepthMask(GL_TRUE);
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+  }
   const glm::ivec4 region = shaft_region(inputs, size_px, 0);
   if (region == glm::ivec4(0, 0, size_px.x, size_px.y)) return;
   const std::array<float, 4> nothing{0.0F, 0.0F, 0.0F, 1.0F};

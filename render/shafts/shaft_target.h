@@ -23,13 +23,18 @@ void plain_state();
 // Where a technique's last pass draws: light and transmittance, and the distance along the axis (as shade.frag).
 class ShaftTarget {
  public:
-  // Bound, confined to the view's region, and empty elsewhere.
+  // With a depth buffer, by which a later draw can be kept to the pixels that an earlier one has left.
+  explicit ShaftTarget(bool with_depth = false) : with_depth_(with_depth) {}
+
+  // Bound, confined to the view's region, and empty elsewhere; depth, if any, at its farthest.
   void begin(const ShaftInputs& inputs, const glm::ivec2& size_px);
   const ShaftPicture& picture() const { return picture_; }
 
  private:
+  bool with_depth_;
   gl::Texture scattered_;
   gl::Texture distance_;
+  gl::Texture depth_;
   gl::Framebuffer framebuffer_;
   ShaftPicture picture_;
 };

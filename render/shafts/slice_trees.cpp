@@ -1,7 +1,10 @@
 #include "render/shafts/slice_trees.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <vector>
 
 #include "render/shafts/shaft_target.h"
 
@@ -11,6 +14,31 @@ namespace {
 constexpr int kMapUnit = 8;
 constexpr int kLargestNode = 1024;       // cells; the smallest has 16, each level four times as many as the one below
 constexpr double kDepthSteps = 65534.0;  // leaves.frag keeps depth in 16 bits
+
+// As lay_slices() says, for the line from `eye` along `across`, both in texels, over a map of that size.
+glm::vec4 slice_across(const glm::dvec2& across, const glm::dvec2& eye, const glm::dvec2& size) {
+  const double largest = std::max(std::abs(across.x), std::abs(across.y));
+  const glm::dvec2 direction = largest > 1e-12 ? across / largest : glm::dvec2(1.0, 0.0);
+  double enter = 0.0;
+  double leave = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 2; ++axis) {
+    if (std::abs(direction[axis]) < 1e-12) {
+      if (eye[axis] < 0.0 || eye[axis] > size[axis]) leave = -1.0;
+      continue;
+    }
+    const double a = -eye[axis] / direction[axis];
+    const double b = (size[axis] - eye[axis]) / direction[axis];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  if (leave <= enter) return {direction, 0.0, 0.0};
+  // Cells begin where the line crosses from texel to texel along its axis.
+  const int axis = std::abs(direction.x) >= std::abs(direction.y) ? 0 : 1;
+  const double part = eye[axis] - std::floor(eye[axis]);
+  const double before = direction[axis] > 0.0 ? part : 1.0 - part;
+  const double first = std::floor(enter + before + 1e-6);
+  return {direction, first - before, std::max(std::ceil(leave + before - 1e-6) - first, 0.0)};
+}
 
 }  // namespace
 
@@ -25,51 +53,57 @@ void SliceTrees::make_storage(const CasterMap& casters, int rows) {
   leaves_ = gl::Texture(GL_RGBA16UI, cells / 4, rows, gl::Filter::Nearest, 1, "casters of slices");
   blocks_ = gl::Texture(GL_RG16UI, cells / 16, rows, gl::Filter::Nearest, 1, "bounds of 16 cells");
   nodes_ = gl::Texture(GL_RG16UI, level_first_.w + cells / 1024, rows, gl::Filter::Nearest, 1, "min-max trees");
-  to_slices_ = gl::Framebuffer({&slices_}, nullptr, "epipolar slices");
   to_leaves_ = gl::Framebuffer({&leaves_}, nullptr, "casters of slices");
   to_blocks_ = gl::Framebuffer({&blocks_}, nullptr, "bounds of 16 cells");
   to_nodes_ = gl::Framebuffer({&nodes_}, nullptr, "min-max trees");
 }
 
-void SliceTrees::draw_into(const gl::Framebuffer& target) const {
-  target.bind();
-  confine_to({0, 0, target.width(), rows_});
-  gl::draw_full_screen(no_vertices_);
-}
-
-void SliceTrees::draw_slices(const ShaftInputs& inputs, const CasterMap& casters, const LineLayout& layout) {
+void SliceTrees::lay_slices(const ShaftInputs& inputs, const CasterMap& casters, const LineLayout& layout) {
   const glm::dvec3 steps(casters.size_px(), kDepthSteps);
   texels_from_local_ =
       glm::scale(glm::dmat4(1.0), steps) * casters.map_from_world() * glm::inverse(inputs.view.local_from_world());
-  slice_program_.use();
-  slice_program_.set("local_ray_from_px", glm::mat3(inputs.view.local_ray_from_px()));
-  slice_program_.set("view_px_per_px", glm::vec2(inputs.view.width, inputs.view.height) / glm::vec2(layout.picture_px));
-  slice_program_.set("texels_from_local", glm::mat4(texels_from_local_));
-  slice_program_.set("map_size", glm::vec2(casters.size_px()));
-  layout.set(slice_program_);
-  draw_into(to_slices_);
+  const glm::dvec2 scale = glm::dvec2(inputs.view.width, inputs.view.height) / glm::dvec2(layout.picture_px);
+  const glm::dmat3 texels_from_px = glm::dmat3(texels_from_local_) * inputs.view.local_ray_from_px();
+  std::vector<glm::vec4> slices;
+  slices.reserve(static_cast<std::size_t>(rows_));
+  longest_ = 1;
+  for (int row = 0; row < rows_; ++row) {
+    const glm::dvec2 across(texels_from_px * glm::dvec3(layout.end_px(row) * scale, 1.0));
+    slices.push_back(slice_across(across, glm::dvec2(texels_from_local_[3]), glm::dvec2(casters.size_px())));
+    longest_ = std::max(longest_, static_cast<int>(slices.back().w));
+  }
+  slices_.upload(0, 0, 1, rows_, GL_RGBA, GL_FLOAT, slices.data());
+}
+
+void SliceTrees::draw_into(const gl::Framebuffer& target, int cells_a_pixel) const {
+  target.bind();
+  confine_to({0, 0, std::min((longest_ + cells_a_pixel - 1) / cells_a_pixel, target.width()), rows_});
+  gl::draw_full_screen(no_vertices_);
 }
 
 void SliceTrees::draw_leaves(const ShaftInputs& inputs, const CasterMap& casters) {
   leaves_program_.use();
   casters.bind(leaves_program_, inputs, kMapUnit);
+  leaves_program_.set("caster_texel", 1.0F / glm::vec2(casters.size_px()));
   leaves_program_.set("eye_in_texels", glm::vec2(texels_from_local_[3]));
   leaves_program_.set("slices", 0);
+  leaves_program_.set("slices_texel", 1.0F / static_cast<float>(slices_.height()));
   slices_.bind(0);
-  draw_into(to_leaves_);
+  draw_into(to_leaves_, 4);
   CasterMap::unbind(kMapUnit);
 }
 
 void SliceTrees::draw_nodes() {
   blocks_program_.use();
   blocks_program_.set("leaves", 0);
+  blocks_program_.set("leaves_texel", 1.0F / glm::vec2(leaves_.width(), leaves_.height()));
   leaves_.bind(0);
-  draw_into(to_blocks_);
+  draw_into(to_blocks_, 16);
   nodes_program_.use();
   nodes_program_.set("blocks", 0);
   nodes_program_.set("level_first", level_first_);
   blocks_.bind(0);
-  draw_into(to_nodes_);
+  draw_into(to_nodes_, 1);  // levels lie side by side
 }
 
 void SliceTrees::update(const ShaftInputs& inputs, const CasterMap& casters, const LineLayout& layout) {
@@ -77,7 +111,7 @@ void SliceTrees::update(const ShaftInputs& inputs, const CasterMap& casters, con
   make_storage(casters, layout.rows);
   // Inside a box the light's own way has kinks, which long nodes would straddle.
   top_level_ = inputs.scene.medium->extent ? 1 : 3;
-  draw_slices(inputs, casters, layout);
+  lay_slices(inputs, casters, layout);
   draw_leaves(inputs, casters);
   draw_nodes();
   glDisable(GL_SCISSOR_TEST);
@@ -92,6 +126,8 @@ void SliceTrees::bind(const gl::Program& program, int first_unit) const {
   nodes_.bind(first_unit + 2);
   program.set("level_first", level_first_);
   program.set("top_level", top_level_);
+  program.set("leaves_texel", 1.0F / glm::vec2(leaves_.width(), leaves_.height()));
+  program.set("nodes_texel", 1.0F / glm::vec2(nodes_.width(), nodes_.height()));
   program.set("texels_from_local", glm::mat4(texels_from_local_));
 }
 

@@ -21,17 +21,21 @@ class SliceTrees {
 
  private:
   void make_storage(const CasterMap& casters, int rows);
-  void draw_slices(const ShaftInputs& inputs, const CasterMap& casters, const LineLayout& layout);
+  // Where each slice (the plane through the eye, the sun and a line) runs across the map: direction with its larger
+  // part
+  // +-1, where the first cell begins along it, in texels from the eye, and how many cells there are. A cell is one
+  // texel of the axis that the slice is nearer to.
+  void lay_slices(const ShaftInputs& inputs, const CasterMap& casters, const LineLayout& layout);
   void draw_leaves(const ShaftInputs& inputs, const CasterMap& casters);
   void draw_nodes();
-  void draw_into(const gl::Framebuffer& target) const;
+  void draw_into(const gl::Framebuffer& target, int cells_a_pixel) const;
 
   int rows_ = 0;
-  int cells_ = 0;  // of the longest slice, rounded up to a node of the highest level
+  int cells_ = 0;    // that there is room for: a multiple of a node of the highest level
+  int longest_ = 0;  // cells of the longest slice
   int top_level_ = 0;
   glm::ivec4 level_first_{0};
   glm::dmat4 texels_from_local_{1.0};
-  gl::Program slice_program_{"lib/full_screen.vert", "shafts/slice.frag"};
   gl::Program leaves_program_{"lib/full_screen.vert", "shafts/leaves.frag"};
   gl::Program blocks_program_{"lib/full_screen.vert", "shafts/blocks.frag"};
   gl::Program nodes_program_{"lib/full_screen.vert", "shafts/nodes.frag"};
@@ -39,7 +43,6 @@ class SliceTrees {
   gl::Texture leaves_;
   gl::Texture blocks_;
   gl::Texture nodes_;
-  gl::Framebuffer to_slices_;
   gl::Framebuffer to_leaves_;
   gl::Framebuffer to_blocks_;
   gl::Framebuffer to_nodes_;

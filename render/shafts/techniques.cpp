@@ -1,4 +1,5 @@
 // The registry of techniques. A new one is a header above and an entry below.
+#include "render/shafts/bilateral.h"
 #include "render/shafts/closed_form.h"
 #include "render/shafts/epipolar.h"
 #include "render/shafts/interleaved.h"
@@ -78,6 +79,28 @@ ShaftTechniqueInfo interleaved() {
       }};
 }
 
+ShaftTechniqueInfo bilateral() {
+  ShaftKnob low = divisor(4);
+  low.low = 2;
+  low.meaning = "the march runs at 1/divisor of the picture's width and height";
+  return {.name = "bilateral",
+          .summary = "marches a small picture, then scales it up with a depth-aware bilateral filter (Ali 2017)",
+          .knobs = {steps(128),
+                    low,
+                    {.name = "radius",
+                     .meaning = "how far the filter reaches, in pixels of the small picture",
+                     .low = 1,
+                     .high = 4,
+                     .standard = 1,
+                     .whole = true}},
+          .ladder = {"bilateral:steps=32,divisor=8", "bilateral:steps=64,divisor=4", "bilateral:steps=128,divisor=4",
+                     "bilateral:steps=128,divisor=2", "bilateral:steps=512,divisor=2"},
+          .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
+            return std::make_unique<Bilateral>(MarchSteps{.count = s.whole("steps")}, s.whole("divisor"),
+                                               s.whole("radius"));
+          }};
+}
+
 std::vector<ShaftKnob> line_knobs(double line_px, double sample_px, double tolerance) {
   return {{.name = "line_px",
            .meaning = "pixels between epipolar lines, where they leave the picture",
@@ -108,7 +131,7 @@ ShaftTechniqueInfo epipolar() {
   ShaftTechniqueInfo info{
       .name = "epipolar",
       .summary = "marches at samples along lines through the sun, interpolates between (Engelhardt & Dachsbacher 2010)",
-      .knobs = line_knobs(2, 16, 0.02),
+      .knobs = line_knobs(2, 16, 0.05),
       .ladder = {"epipolar:steps=64,line_px=4,sample_px=32,tolerance=0.1", "epipolar:steps=128,line_px=2",
                  "epipolar:steps=512,line_px=1,tolerance=0.01",
                  "epipolar:steps=1024,line_px=0.5,sample_px=8,tolerance=0.005"},
@@ -122,7 +145,7 @@ ShaftTechniqueInfo epipolar() {
 ShaftTechniqueInfo minmax() {
   return {.name = "minmax",
           .summary = "epipolar lines with exact min-max trees over the shadow map (Chen 2011, Tan 2020)",
-          .knobs = line_knobs(2, 16, 0.02),
+          .knobs = line_knobs(2, 16, 0.05),
           .ladder = {"minmax:line_px=8,sample_px=32,tolerance=0.1,divisor=2",
                      "minmax:line_px=4,sample_px=32,tolerance=0.1", "minmax:line_px=2",
                      "minmax:line_px=1,tolerance=0.01", "minmax:line_px=0.5,sample_px=8,tolerance=0.005"},
@@ -133,7 +156,7 @@ ShaftTechniqueInfo minmax() {
 
 // Those of this library, and what add_shaft_technique() adds.
 std::vector<ShaftTechniqueInfo>& registry() {
-  static std::vector<ShaftTechniqueInfo> all{closed_form(), march(), interleaved(), epipolar(), minmax()};
+  static std::vector<ShaftTechniqueInfo> all{closed_form(), march(), interleaved(), bilateral(), epipolar(), minmax()};
   return all;
 }
 

@@ -4,17 +4,18 @@ precision highp float;
 precision highp int;
 
 uniform highp usampler2D leaves;
+uniform vec2 leaves_texel;  // 1 / size
 
 layout(location = 0) out highp uvec2 bounds;
 
 void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy) * ivec2(4, 1);
-  uvec4 low = uvec4(65535u);
-  uvec4 high = uvec4(0u);
-  for (int i = 0; i < 4; ++i) {
-    uvec4 four = texelFetch(leaves, at + ivec2(i, 0), 0);
-    low = min(low, four);
-    high = max(high, four);
-  }
+  vec2 at = vec2(floor(gl_FragCoord.x) * 4.0 + 0.5, gl_FragCoord.y) * leaves_texel;
+  vec2 next = vec2(leaves_texel.x, 0.0);
+  uvec4 a = textureLod(leaves, at, 0.0);
+  uvec4 b = textureLod(leaves, at + next, 0.0);
+  uvec4 c = textureLod(leaves, at + 2.0 * next, 0.0);
+  uvec4 d = textureLod(leaves, at + 3.0 * next, 0.0);
+  uvec4 low = min(min(a, b), min(c, d));
+  uvec4 high = max(max(a, b), max(c, d));
   bounds = uvec2(min(min(low.x, low.y), min(low.z, low.w)), max(max(high.x, high.y), max(high.z, high.w)));
 }

@@ -2,6 +2,7 @@
 uniform highp sampler2D caster_depth;
 uniform mat4 map_from_local;  // (u, v, depth): u and v 0 to 1 inside
 uniform float end_margin_m;   // the map tells no surface from the air this close to it
+uniform float end_margin;     // nor the epipolar lines, for each metre from the eye
 
 // Where a ray is in the prism behind the map's near plane: there, casters may shade it.
 vec2 shadow_stretch(vec3 direction) {
@@ -16,17 +17,22 @@ vec2 shadow_stretch(vec3 direction) {
 vec2 marched_stretch(vec3 direction, Air air, vec2 stretch) {
   vec2 seen = vec2(stretch.x, min(stretch.y, way_of_depth(air, kDeepest)));
   vec2 shaded = intersect(shadow_stretch(direction), seen);
-  if (shaded.y == stretch.y) shaded.y = max(stretch.y - end_margin_m, mix(shaded.x, shaded.y, 0.5));
+  if (shaded.y == stretch.y) shaded.y = max(stretch.y * (1.0 - end_margin) - end_margin_m, mix(shaded.x, shaded.y, 0.5));
   return shaded;
 }
 
-// Sunlight of the stretch when that part of the light of the marched stretch is lit. What lies behind the marched
-// stretch, to the end of what is seen or to the surface, is as its end's surroundings are: it counts as marched.
+// To where the answer for a marched stretch holds: what lies behind it, up to the surface or out of the casters' reach, is
+// as lit as its end.
+float marched_reach(vec3 direction, vec2 stretch) {
+  return min(shadow_stretch(direction).y, stretch.y);
+}
+
+// Sunlight of the stretch when that part of the light from where marching begins to its reach is lit.
 float sunlight_when(float lit, vec3 direction, Air air, vec2 stretch, vec2 marched) {
   float all = sunlight_of(air, stretch);
   if (marched.y <= marched.x) return all;
-  float behind = min(shadow_stretch(direction).y, stretch.y);
-  float part = marched.x == stretch.x && behind == stretch.y ? all : sunlight_of(air, vec2(marched.x, behind));
+  float reach = marched_reach(direction, stretch);
+  float part = marched.x == stretch.x && reach == stretch.y ? all : sunlight_of(air, vec2(marched.x, reach));
   return max(all - min(part, all) * (1.0 - lit), 0.0);
 }
 

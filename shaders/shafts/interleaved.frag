@@ -29,7 +29,7 @@ float march(Ray ray, Air air, vec2 stretch, float offset) {
 #ifdef FALLOFF
   const vec4 weights = vec4(1.0);
   float from = stretch.x;
-  vec2 depths = depths_to(air, from);
+  vec2 mark = mark_at(air, from);
 #else
   float fade = exp(-extinction * dt);  // each step's part of the light is the last one's times this
   vec4 weights = vec4(1.0, fade, fade * fade, fade * fade * fade);
@@ -44,9 +44,9 @@ float march(Ray ray, Air air, vec2 stretch, float offset) {
   for (int i = 0; i < blocks; ++i) {
 #ifdef FALLOFF
     from += 4.0 * dt;
-    vec2 next = depths_to(air, from);
-    float weight = sunlight_between(depths, next);
-    depths = next;
+    vec2 next = mark_at(air, from);
+    float weight = sunlight_between(mark, next);
+    mark = next;
 #else
     float weight = block_weight;
     block_weight *= block_fade;

@@ -7,13 +7,12 @@
 #include "shafts/walk.glsl"
 #endif
 
-// `needed` false: 1, at no cost.
-float lit_share(bool needed, int row, Ray ray, Air air, vec2 stretch) {
-  vec2 marched = needed ? marched_stretch(ray.direction, air, stretch) : vec2(0.0);
+float lit_share(int row, Ray ray, Air air, vec2 stretch) {
+  vec2 marched = marched_stretch(ray.direction, air, stretch);
 #ifdef LINE_MARCH
-  float lit = march(ray, air, marched);
+  float lit = march(ray, air, marched, marched_reach(ray.direction, stretch));
 #else
-  float lit = walk(row, ray, air, marched);
+  float lit = walk(row, ray, air, marched, marched_reach(ray.direction, stretch));
 #endif
   float all = sunlight_of(air, stretch);
   return all > 0.0 ? clamp(sunlight_when(lit, ray.direction, air, stretch, marched) / all, 0.0, 1.0) : 1.0;

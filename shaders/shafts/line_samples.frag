@@ -21,9 +21,9 @@ void main() {
   int row = int(gl_FragCoord.y);
   Line line = line_of_row(row);
   vec2 px = mix(line.start, line.end, (gl_FragCoord.x - 0.5) / places);
-  float z = view_distance(clamp(floor(px) + 0.5, vec2(0.5), picture_px - 0.5));
+  float z = distance_at(px * view_px_per_px, false);
   Ray ray = view_ray(px);
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
-  lit_and_nearness = vec2(lit_share(true, row, ray, air, stretch), 1.0 / z);
+  lit_and_nearness = vec2(lit_share(row, ray, air, stretch), 1.0 / z);
 }

@@ -105,36 +105,46 @@ float way_of_depth(Air air, float depth) {
 #endif
 }
 
-// x: optical depth of the view's way to a point; y: that and the light's own.
-vec2 depths_to(Air air, float t) {
+// What sunlight_between() needs of a point t metres from the eye. y: the optical depth of the view's way there and of the
+// light's own. x: BOUNDED, the view's alone; else the light that all of the way there sends to the eye.
+vec2 mark_at(Air air, float t) {
   float view = view_depth_to(air, t);
+#ifdef BOUNDED
   return vec2(view, view + sun_depth_to(air, t));
+#else
+  return vec2(scattered_fraction(view), view);
+#endif
 }
 
 // Part of the sun's light, at phase function and albedo 1, that the way between two points sends to the eye when
-// nothing shades it: integral of exp(-y) dx, exact where y is linear in x: in a homogeneous medium between the kinks
-// of the light's way, and in any unbounded one.
-float sunlight_between(vec2 depths_a, vec2 depths_b) {
-  float scattered = max(depths_b.x - depths_a.x, 0.0);
-  return scattered * exp(-min(depths_a.y, depths_b.y)) * fall_off(abs(depths_b.y - depths_a.y));
+// nothing shades it: integral of exp(-depth) d(view's depth). Exact in an unbounded medium, and in a homogeneous one
+// between the kinks of the light's way.
+float sunlight_between(vec2 mark_a, vec2 mark_b) {
+  float more = max(mark_b.x - mark_a.x, 0.0);
+#ifdef BOUNDED
+  return more * exp(-min(mark_a.y, mark_b.y)) * fall_off(abs(mark_b.y - mark_a.y));
+#else
+  return more;
+#endif
 }
 
 // The same for any stretch.
 float sunlight_of(Air air, vec2 stretch) {
-  if (stretch.y <= stretch.x) return 0.0;
 #if defined(BOUNDED) && defined(FALLOFF)
   const int kPieces = 24;
   float sum = 0.0;
-  vec2 depths = depths_to(air, stretch.x);
+  vec2 mark = mark_at(air, stretch.x);
   for (int i = 1; i <= kPieces; ++i) {
-    vec2 next = depths_to(air, mix(stretch.x, stretch.y, float(i) / float(kPieces)));
-    sum += sunlight_between(depths, next);
-    depths = next;
+    vec2 next = mark_at(air, mix(stretch.x, stretch.y, float(i) / float(kPieces)));
+    sum += sunlight_between(mark, next);
+    mark = next;
   }
-  return sum;
+  return stretch.y > stretch.x ? sum : 0.0;
 #elif defined(BOUNDED)
   return bounded_fraction(extinction, stretch, air.entry, air.line_a, air.line_b);
 #else
-  return sunlight_between(depths_to(air, stretch.x), depths_to(air, stretch.y));
+  float before = view_depth_to(air, stretch.x);
+  float within = max(view_depth_to(air, stretch.y) - before, 0.0);
+  return exp(-before) * scattered_fraction(within);
 #endif
 }

@@ -23,26 +23,31 @@ float step_start(int i, Air air, vec2 stretch) {
   return mix(stretch.x, stretch.y, part);
 }
 
-// Part of the stretch's sunlight that gets past the casters; 1 for an empty one.
-float march(Ray ray, Air air, vec2 stretch) {
+// Part of the sunlight, from where the stretch begins to its reach, that gets past the casters; 1 for an empty one.
+float march(Ray ray, Air air, vec2 stretch, float reach) {
   ivec2 size = textureSize(caster_depth, 0);
   vec3 texels = vec3(size, 1.0);
   vec3 origin = texels * map_from_local[3].xyz;
   vec3 along = texels * (mat3(map_from_local) * ray.direction);
   float from = stretch.x;
-  vec2 depths = depths_to(air, from);
+  vec2 mark = mark_at(air, from);
   float lit = 0.0;
   float all = 0.0;
+  float seen = 1.0;
   int count = stretch.y > stretch.x ? steps : 0;
   for (int i = 1; i <= count; ++i) {
     float to = step_start(i, air, stretch);
-    vec2 next = depths_to(air, to);
-    float part = sunlight_between(depths, next);
+    vec2 next = mark_at(air, to);
+    float part = sunlight_between(mark, next);
     all += part;
-    lit += part * lit_at(origin + along * (0.5 * (from + to)), size - 1);
+    seen = lit_at(origin + along * (0.5 * (from + to)), size - 1);
+    lit += part * seen;
     from = to;
-    depths = next;
-    if (depths.x > kDeepest) break;  // nothing beyond is seen
+    mark = next;
+    if (mark.y > kDeepest) break;  // nothing beyond is seen
   }
+  float rest = count > 0 ? sunlight_between(mark, mark_at(air, reach)) : 0.0;
+  all += rest;
+  lit += rest * seen;
   return all > 0.0 ? lit / all : 1.0;
 }

@@ -2,16 +2,21 @@
 // them all, are taken whole, and cells are cut exactly where the ray meets the depth of their caster. Needs ray.glsl.
 precision highp int;
 
-uniform highp sampler2D slices;    // slice.frag
-uniform highp usampler2D leaves;   // leaves.frag
-uniform highp usampler2D nodes;    // nodes.frag
+// Looked up by texture coordinates: software rasterisers take twice as long to fetch a texel by its number.
+uniform highp sampler2D slices;   // render/shafts/slice_trees.h
+uniform highp usampler2D leaves;  // leaves.frag
+uniform highp usampler2D nodes;   // nodes.frag
+uniform vec2 leaves_texel;        // 1 / size
+uniform vec2 nodes_texel;
 uniform ivec4 level_first;
 uniform int top_level;
 uniform mat4 texels_from_local;
 
-// Part of the stretch's sunlight that gets past the casters, as the slice of that row sees them; 1 for an empty one.
-float walk(int row, Ray ray, Air air, vec2 stretch) {
-  vec4 slice = texelFetch(slices, ivec2(0, row), 0);
+// Part of the sunlight, from where the stretch begins to its reach, that gets past the casters, as the slice of that row sees them. Of one
+// that is shaded throughout, exactly 0.
+float walk(int row, Ray ray, Air air, vec2 stretch, float reach) {
+  float row_at = float(row) + 0.5;
+  vec4 slice = textureLod(slices, vec2(0.5, row_at * leaves_texel.y), 0.0);
   vec3 along = mat3(texels_from_local) * ray.direction;
   float texels_per_m = abs(slice.x) >= abs(slice.y) ? abs(along.x) : abs(along.y);
   float m_per_texel = 1.0 / max(texels_per_m, 1e-12);
@@ -22,15 +27,15 @@ float walk(int row, Ray ray, Air air, vec2 stretch) {
 
   float t = stretch.x;
   float to = min(stretch.y, (slice.z + slice.w) * m_per_texel);
-  vec2 depths = depths_to(air, t);
-  float all = 0.0;
+  vec2 mark = mark_at(air, t);
   float dark = 0.0;
+  bool any_lit = false;
+  bool dark_end = false;
   float first_t = slice.z * m_per_texel;
   if (t < first_t && cells > 0) {  // not yet over the map
     t = min(first_t, stretch.y);
-    vec2 next = depths_to(air, t);
-    all = sunlight_between(depths, next);
-    depths = next;
+    mark = mark_at(air, t);
+    any_lit = true;
   }
   int cell = clamp(int(floor(t * texels_per_m - slice.z)), 0, max(cells - 1, 0));
   int level = top_level;
@@ -38,19 +43,20 @@ float walk(int row, Ray ray, Air air, vec2 stretch) {
     while (level >= 0 && t < to && cell < cells) {
       int shift = 4 + 2 * level;
       int node = cell >> shift;
+      int first_node = level == 0 ? 0 : level == 1 ? level_first.y : level == 2 ? level_first.z : level_first.w;
       float end = min((slice.z + float((node + 1) << shift)) * m_per_texel, to);
-      uvec2 found = texelFetch(nodes, ivec2(level_first[level] + node, row), 0).xy;
+      uvec2 found = textureLod(nodes, nodes_texel * vec2(float(first_node + node) + 0.5, row_at), 0.0).xy;
       vec2 bounds = vec2(ivec2(found));
       float from_depth = eye_depth + slope * t;
       float to_depth = eye_depth + slope * end;
       bool lit = max(from_depth, to_depth) <= bounds.x;
       bool shaded = min(from_depth, to_depth) > bounds.y;
       if (lit || shaded) {
-        vec2 next = depths_to(air, end);
-        float part = sunlight_between(depths, next);
-        all += part;
-        dark += shaded ? part : 0.0;
-        depths = next;
+        vec2 next = mark_at(air, end);
+        dark += shaded ? sunlight_between(mark, next) : 0.0;
+        any_lit = any_lit || lit;
+        dark_end = shaded;
+        mark = next;
         t = max(t, end);
         cell = (node + 1) << shift;
         level = (node & 3) == 3 ? min(level + 1, top_level) : level;
@@ -59,34 +65,34 @@ float walk(int row, Ray ray, Air air, vec2 stretch) {
       }
     }
     // Four cells at a time, where a node of sixteen is neither lit nor shaded as a whole.
-    bool open = level < 0 && t < to && cell < cells;
-    int four = cell >> 2;
-    float end = min((slice.z + float(four * 4 + 4)) * m_per_texel, to);
-    vec4 caster = vec4(ivec4(texelFetch(leaves, ivec2(four, row), 0)));
-    vec4 begin = (slice.z + float(four * 4) + vec4(0.0, 1.0, 2.0, 3.0)) * m_per_texel;
-    vec4 finish = clamp(begin + m_per_texel, t, to);
-    begin = clamp(begin, t, to);
-    // A ray that goes down the light is shaded behind the caster's depth, one that goes up is before it.
-    vec4 meeting = (caster - eye_depth) * inverse_slope;
-    begin = slope > 0.0 ? max(begin, meeting) : begin;
-    finish = slope > 0.0 ? finish : min(finish, meeting);
-    vec4 shaded = max(finish - begin, vec4(0.0));
-    vec2 next = depths_to(air, end);
-    float part = sunlight_between(depths, next);
-    float dark_part = part * min(dot(shaded, vec4(1.0)) / max(end - t, 1e-20), 1.0);
-    // Cells are long on rays that run along the light; the light then fades within one.
-    int count = open && next.x - depths.x > 0.01 ? 4 : 0;
-    if (count > 0) dark_part = 0.0;
-    for (int i = 0; i < count; ++i) dark_part += sunlight_of(air, vec2(begin[i], finish[i]));
-    if (open) {
-      all += part;
-      dark += min(dark_part, part);
-      depths = next;
+    while (level < 0 && t < to && cell < cells) {
+      int four = cell >> 2;
+      float four_end = min((slice.z + float(four * 4 + 4)) * m_per_texel, to);
+      // Cells are long on rays that run along the light: no farther at once than the light hardly fades.
+      float end = min(four_end, max(way_of_depth(air, view_depth_to(air, t) + 0.05), t + 1e-6 * four_end));
+      vec4 caster = vec4(ivec4(textureLod(leaves, leaves_texel * vec2(float(four) + 0.5, row_at), 0.0)));
+      vec4 begin = (slice.z + float(four * 4) + vec4(0.0, 1.0, 2.0, 3.0)) * m_per_texel;
+      vec4 finish = clamp(begin + m_per_texel, t, end);
+      begin = clamp(begin, t, end);
+      // A ray that goes down the light is shaded behind the caster's depth, one that goes up is before it.
+      vec4 meeting = (caster - eye_depth) * inverse_slope;
+      begin = slope > 0.0 ? max(begin, meeting) : begin;
+      finish = slope > 0.0 ? finish : min(finish, meeting);
+      float shaded = dot(max(finish - begin, vec4(0.0)), vec4(1.0));
+      vec2 next = mark_at(air, end);
+      dark += sunlight_between(mark, next) * min(shaded / max(end - t, 1e-20), 1.0);
+      any_lit = any_lit || shaded < (end - t) * (1.0 - 1e-5);
+      dark_end = shaded > 0.5 * (end - t);
+      mark = next;
       t = max(t, end);
-      cell = four * 4 + 4;
-      level = (four & 3) == 3 ? 0 : -1;
+      if (end >= four_end) {
+        cell = four * 4 + 4;
+        level = (four & 3) == 3 ? 0 : -1;
+      }
     }
   }
-  if (t < stretch.y) all += sunlight_between(depths, depths_to(air, stretch.y));  // beyond the map
-  return all > 0.0 ? clamp(1.0 - dark / all, 0.0, 1.0) : 1.0;
+  dark_end = dark_end && t >= stretch.y;  // else the way leads off the map
+  any_lit = any_lit || !dark_end;
+  dark += dark_end ? sunlight_between(mark, mark_at(air, reach)) : 0.0;
+  return any_lit ? clamp(1.0 - dark / max(sunlight_of(air, vec2(stretch.x, reach)), 1e-30), 0.0, 1.0) : 0.0;
 }

@@ -38,9 +38,8 @@ LightPictures LightRig::render(const SceneState& scene, const ShaftSettings& set
   out.shadow_was_rendered = shadow.update(scene, view, shadow_map_size, models);
   const ObjectsPicture& picture = objects.draw(scene, view, shadow, models);
   if (scene.medium) {
-    const std::unique_ptr<ShaftTechnique> technique = make_shaft_technique(settings);
     const ShaftPicture& shafts =
-        technique->draw({.scene = scene, .view = view, .depth = picture.depth, .shadow = shadow});
+        technique(settings).draw({.scene = scene, .view = view, .depth = picture.depth, .shadow = shadow});
     out.shafts = read_pixels(shafts.texture, shafts.width, shafts.height, GL_FLOAT);
     out.distance = read_pixels(shafts.distance, shafts.width, shafts.height, GL_FLOAT);
   }
@@ -48,6 +47,12 @@ LightPictures LightRig::render(const SceneState& scene, const ShaftSettings& set
   out.multiplier = read_pixels(picture.multiplier, picture.width, picture.height, GL_UNSIGNED_INT_2_10_10_10_REV);
   gl::check_errors("light rig");
   return out;
+}
+
+ShaftTechnique& LightRig::technique(const ShaftSettings& settings) {
+  std::unique_ptr<ShaftTechnique>& made = techniques_[to_text(settings)];
+  if (!made) made = make_shaft_technique(settings);
+  return *made;
 }
 
 LightRig& rig() {

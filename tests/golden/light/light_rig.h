@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,10 +38,16 @@ class LightRig {
   LightPictures render(const SceneState& scene, const ShaftSettings& shafts = {.technique = "interleaved"},
                        int shadow_map_size = 2048);
 
+  // Made when first asked for: compiling shaders takes a while.
+  ShaftTechnique& technique(const ShaftSettings& settings);
+
   gl::Context context;
   GpuModels models;
   SunShadow shadow;
   ObjectsPass objects{4};
+
+ private:
+  std::map<std::string, std::unique_ptr<ShaftTechnique>> techniques_;
 };
 
 // One for the whole test program: making a context and compiling shaders takes a while.

@@ -1,0 +1,197 @@
+// bench_shafts FOLDER SCENE WxH [TECHNIQUE[:key=value,...]...]: time of the shaft pass and error against the reference
+// on a scene that skyshaft-bench-scenes wrote to FOLDER. The camera moves and the shadow map is drawn again each frame.
+#include <GLES3/gl31.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+#include "render/scene/image_io.h"
+#include "render/shafts/reference/shaft_reference.h"
+#include "tests/golden/light/light_rig.h"
+
+namespace render::test {
+namespace {
+
+constexpr int kFrames = 7;
+
+int map_size() {
+  const char* text = std::getenv("SHADOW_MAP_SIZE");
+  return text == nullptr ? 2048 : std::atoi(text);
+}
+
+SceneState scene_of(const std::filesystem::path& folder, const std::string& name) {
+  const auto starts = [&](const char* word) { return name.starts_with(word); };
+  SceneState scene = starts("gate")     ? sunny(343.0, 26.0, 6000.0)
+                     : starts("forest") ? sunny(14.0, 43.0, 6000.0)
+                                        : sunny(160.0, 38.0, 0.0);
+  scene.sun.illuminance_rgb = glm::dvec3(starts("room") ? 80000.0 : 260000.0);
+  scene.exposure = 1.0 / (starts("gate") ? 34000.0 : starts("forest") ? 32000.0 : 3800.0);
+  scene.medium.emplace();
+  scene.medium->extinction_per_m = starts("gate") ? 0.025 : starts("forest") ? 0.028 : 0.09;
+  scene.medium->g = starts("room") ? 0.5 : 0.6;
+  if (starts("forest")) scene.medium->extent = Box{{-14, -15, -1}, {14, 14, 15}};
+  if (starts("room")) scene.medium->extent = Box{{-3, -2.5, 0}, {3, 3, 3}};
+  scene.instances = {place(load_gltf(folder / (name + ".glb")), glm::dvec3(0.0), false)};
+  return scene;
+}
+
+Camera camera_of(const std::string& name, const glm::ivec2& size) {
+  if (name.starts_with("gate")) return look_at(size.x, size.y, {2.1, -10.8, 1.5}, {-0.35, 0, 2.7}, 46);
+  if (name.starts_with("forest")) return look_at(size.x, size.y, {0.6, -13.5, 1.7}, {-0.4, 0, 4.6}, 52);
+  return look_at(size.x, size.y, {-2.6, 2.6, 1.6}, {0.6, -1.2, 1.05}, 56);
+}
+
+struct Bench {
+  std::filesystem::path folder;
+  std::string name;
+  SceneState scene;
+  View view;
+  const ObjectsPicture* objects = nullptr;
+  LightPictures pictures;  // added, multiplier
+  std::vector<float> axis_m;
+  std::vector<glm::vec4> truth;  // exposed
+
+  void draw_objects() {
+    view = pinhole_view(scene.camera);
+    rig().shadow.update(scene, view, map_size(), rig().models);
+    objects = &rig().objects.draw(scene, view, rig().shadow, rig().models);
+  }
+  ShaftInputs inputs() const { return {.scene = scene, .view = view, .depth = objects->depth, .shadow = rig().shadow}; }
+
+  void make_truth() {
+    draw_objects();
+    pictures.added = read_pixels(objects->added, view.width, view.height, GL_FLOAT);
+    pictures.multiplier = read_pixels(objects->multiplier, view.width, view.height, GL_UNSIGNED_INT_2_10_10_10_REV);
+    const auto open = make_shaft_technique(parse_shaft_settings("closed-form:divisor=1"));
+    const ShaftPicture& distance = open->draw(inputs());
+    for (const glm::vec4& p : read_pixels(distance.distance, view.width, view.height, GL_FLOAT).rgba)
+      axis_m.push_back(p.r);
+    const auto cache = folder / fmt::format("{}-{}x{}.truth", name, view.width, view.height);
+    truth.resize(axis_m.size());
+    std::ifstream in(cache, std::ios::binary);
+    if (!in.read(reinterpret_cast<char*>(truth.data()),
+                 static_cast<std::streamsize>(truth.size() * sizeof(glm::vec4)))) {
+      const ShaftReference reference(scene, {.sky = ReferenceSky::Open});
+      truth = reference.picture(view, axis_m).rgba;
+      for (glm::vec4& p : truth) p = glm::vec4(glm::vec3(p) * static_cast<float>(scene.exposure), p.a);
+      std::ofstream(cache, std::ios::binary)
+          .write(reinterpret_cast<const char*>(truth.data()),
+                 static_cast<std::streamsize>(truth.size() * sizeof(glm::vec4)));
+    }
+  }
+
+  std::uint8_t shown(std::size_t i, int channel, const glm::vec4& air) const {
+    const float behind = 0.3F * pictures.multiplier.rgba[i][channel] + pictures.added.rgba[i][channel];
+    const float c = std::clamp(behind * air.a + air[channel], 0.0F, 1.0F);
+    return static_cast<std::uint8_t>(
+        std::lround(255.0F * (c < 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F)));
+  }
+
+  void compare(const std::string& settings, double wall_ms, double cpu_ms, const Pixels& found) const {
+    double error = 0.0;
+    double total = 0.0;
+    double squares = 0.0;
+    std::size_t off = 0;
+    Image picture{view.width, view.height, {}};
+    Image difference{view.width, view.height, {}};
+    const int divisor = (view.width + found.width - 1) / found.width;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const int x = static_cast<int>(i) % view.width / divisor;
+      const int y = static_cast<int>(i) / view.width / divisor;
+      const glm::vec4& air = found.at(x, y);
+      error += std::pow(air.r - truth[i].r, 2.0);
+      total += std::pow(truth[i].r, 2.0);
+      int worst = 0;
+      for (int c = 0; c < 3; ++c) {
+        const std::uint8_t a = shown(i, c, air);
+        const std::uint8_t b = shown(i, c, truth[i]);
+        squares += (a - b) * (a - b) / 3.0;
+        worst = std::max(worst, std::abs(a - b));
+        picture.rgba.push_back(a);
+        difference.rgba.push_back(static_cast<std::uint8_t>(std::clamp(128 + 16 * (a - b), 0, 255)));
+      }
+      picture.rgba.push_back(255);
+      difference.rgba.push_back(255);
+      off += worst > 2 ? 1 : 0;
+    }
+    const auto count = static_cast<double>(truth.size());
+    fmt::print("{:60} {:8.1f} ms wall {:8.1f} ms cpu  PSNR {:6.2f}  >2: {:6.3f} %  RMSE {:.5f}\n", settings, wall_ms,
+               cpu_ms, 10.0 * std::log10(255.0 * 255.0 / std::max(squares / count, 1e-9)),
+               100.0 * static_cast<double>(off) / count, std::sqrt(error / total));
+    std::fflush(stdout);
+    if (const char* to = std::getenv("SKYSHAFT_PICTURES")) {
+      std::string file = settings;
+      std::ranges::replace(file, ':', '_');
+      write_png(std::filesystem::path(to) / (name + "_" + file + ".png"), picture);
+      write_png(std::filesystem::path(to) / (name + "_" + file + "_diff.png"), difference);
+    }
+  }
+
+  void run(const std::string& settings) {
+    const auto technique = make_shaft_technique(parse_shaft_settings(settings));
+    std::vector<double> wall;
+    std::vector<double> cpu;
+    const glm::dmat4 still = scene.camera.world_from_camera;
+    const glm::dmat4 caster = scene.instances[0].world_from_model;
+    Pixels found;
+    for (int i = 0; i <= kFrames; ++i) {
+      const double moved = 0.003 * (kFrames - i);  // the last frame is where the truth is
+      scene.camera.world_from_camera[3].x = still[3].x + moved;
+      scene.instances[0].world_from_model[3].x = caster[3].x + 1e-7 * (kFrames - i);
+      draw_objects();
+      glFinish();
+      const auto start = std::chrono::steady_clock::now();
+      const std::clock_t cpu_start = std::clock();
+      const ShaftPicture& picture = technique->draw(inputs());
+      glFinish();
+      if (i > 0) cpu.push_back(1000.0 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC);
+      if (i > 0)
+        wall.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+      if (i == kFrames) found = read_pixels(picture.texture, picture.width, picture.height, GL_FLOAT);
+    }
+    std::ranges::sort(wall);
+    std::ranges::sort(cpu);
+    compare(settings, wall[kFrames / 2], cpu[kFrames / 2], found);
+  }
+};
+
+}  // namespace
+}  // namespace render::test
+
+int main(int argc, char** argv) {
+  using namespace render;
+  using namespace render::test;
+  if (argc < 4) {
+    std::fputs("usage: bench_shafts FOLDER SCENE WxH [TECHNIQUE...]\n", stderr);
+    return 2;
+  }
+  try {
+    glm::ivec2 size;
+    if (std::sscanf(argv[3], "%dx%d", &size.x, &size.y) != 2) throw std::runtime_error("the size must be WxH");
+    rig();
+    Bench bench;
+    bench.folder = argv[1];
+    bench.name = argv[2];
+    bench.scene = scene_of(bench.folder, bench.name);
+    bench.scene.camera = camera_of(bench.name, size);
+    bench.make_truth();
+    const glm::dvec3 map_m = rig().shadow.map(Casters::Virtual).fit.metres_per_unit;
+    fmt::print("{} at {}: {} triangles, shadow map {:.1f} x {:.1f} m, {:.1f} m deep\n", bench.name, argv[3],
+               bench.scene.instances[0].model->triangle_count(), map_m.x, map_m.y, map_m.z);
+    for (int i = 4; i < argc; ++i) bench.run(argv[i]);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "bench_shafts: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}
