@@ -116,8 +116,9 @@ SceneSky read_sky(const YamlValue& value) {
 }
 
 render::Medium read_medium(const YamlValue& value) {
-  const YamlMap map =
-      value.map({"visibility", "extinction", "albedo", "phase", "g", "extent", "height_falloff"}, {"blobs"});
+  const YamlMap map = value.map(
+      {"visibility", "extinction", "albedo", "phase", "g", "extent", "height_falloff", "shaft_gain", "fog_gain"},
+      {"blobs"});
   render::Medium medium;
   medium.extinction_per_m = read_extinction(map);
   medium.albedo =
@@ -126,6 +127,9 @@ render::Medium read_medium(const YamlValue& value) {
   medium.g = map.number_or("g", medium.g, "a number above -1 and below 1", [](double x) { return std::abs(x) < 1.0; });
   if (const auto extent = map.find("extent")) medium.extent = read_extent(*extent);
   if (const auto falloff = map.find("height_falloff")) medium.falloff = read_height_falloff(*falloff);
+  const auto gain = [](double x) { return x >= 0.0 && x <= 1000.0; };
+  medium.shaft_gain = map.number_or("shaft_gain", 1.0, "a factor from 0 to 1000; 1 is physical", gain);
+  medium.fog_gain = map.number_or("fog_gain", 1.0, "a factor from 0 to 1000; 1 is physical", gain);
   return medium;
 }
 

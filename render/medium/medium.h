@@ -36,6 +36,9 @@ struct Medium {
   double g = 0.7;                                       // (-1, 1)
   std::optional<Box> extent = std::nullopt;             // absent: unbounded
   std::optional<HeightFalloff> falloff = std::nullopt;  // absent: homogeneous
+  // An artist's gains, >= 0; 1 is physical. Transmittance stays as it is.
+  double shaft_gain = 1.0;  // of the sun's light that is scattered
+  double fog_gain = 1.0;    // of the sky's
 };
 
 // sigma_t = 2.996 / visibility (5 % contrast). Throws std::invalid_argument where the visibility is not positive.

@@ -25,7 +25,8 @@ std::array<glm::vec3, 9> sky_scatter_sh(const SceneState& scene) {
   std::array<glm::vec3, 9> out{};
   for (std::size_t i = 0; i < 9; ++i) {
     const double moment = i == 0 ? moments[0] : i < 4 ? moments[1] : moments[2];
-    out[i] = glm::vec3(scene.sky_light.radiance_sh[i] * (moment * scene.medium->albedo * scene.exposure));
+    out[i] = glm::vec3(scene.sky_light.radiance_sh[i] *
+                       (moment * scene.medium->albedo * scene.medium->fog_gain * scene.exposure));
   }
   return out;
 }
@@ -33,7 +34,8 @@ std::array<glm::vec3, 9> sky_scatter_sh(const SceneState& scene) {
 void set_light(const gl::Program& program, const SceneState& scene) {
   const Medium& medium = *scene.medium;
   program.set("sun_direction", glm::vec3(glm::normalize(scene.sun.direction_in_world)));
-  program.set("sun_scattered", glm::vec3(scene.sun.illuminance_rgb * (medium.albedo * scene.exposure)));
+  program.set("sun_scattered",
+              glm::vec3(scene.sun.illuminance_rgb * (medium.albedo * medium.shaft_gain * scene.exposure)));
   const std::array<glm::vec3, 9> sky = sky_scatter_sh(scene);
   program.set("sky_scatter_sh", sky.data(), 9);
   program.set("phase_kind", phase_kind(medium.phase_function));

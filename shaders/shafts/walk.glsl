@@ -47,8 +47,9 @@ float walk(int row, Ray ray, Air air, vec2 stretch, float reach) {
       float end = min((slice.z + float((node + 1) << shift)) * m_per_texel, to);
       uvec2 found = textureLod(nodes, nodes_texel * vec2(float(first_node + node) + 0.5, row_at), 0.0).xy;
       vec2 bounds = vec2(ivec2(found));
-      float from_depth = eye_depth + slope * t;
-      float to_depth = eye_depth + slope * end;
+      // Behind the last caster that can be, and before the 65535 of no caster.
+      float from_depth = min(eye_depth + slope * t, 65534.5);
+      float to_depth = min(eye_depth + slope * end, 65534.5);
       bool lit = max(from_depth, to_depth) <= bounds.x;
       bool shaded = min(from_depth, to_depth) > bounds.y;
       if (lit || shaded) {
@@ -71,6 +72,7 @@ float walk(int row, Ray ray, Air air, vec2 stretch, float reach) {
       // Cells are long on rays that run along the light: no farther at once than the light hardly fades.
       float end = min(four_end, max(way_of_depth(air, view_depth_to(air, t) + 0.05), t + 1e-6 * four_end));
       vec4 caster = vec4(ivec4(textureLod(leaves, leaves_texel * vec2(float(four) + 0.5, row_at), 0.0)));
+      caster = mix(caster, vec4(1e30), greaterThan(caster, vec4(65534.5)));
       vec4 begin = (slice.z + float(four * 4) + vec4(0.0, 1.0, 2.0, 3.0)) * m_per_texel;
       vec4 finish = clamp(begin + m_per_texel, t, end);
       begin = clamp(begin, t, end);

@@ -70,6 +70,7 @@ class HarmonicSky : public SkyModel {
 ShaftReference::ShaftReference(const SceneState& scene, const ReferenceSettings& settings)
     : scene_(scene), settings_(settings), air_{*scene.medium, settings.density}, casters_(scene.instances) {
   scene_.sun.direction_in_world = glm::normalize(scene_.sun.direction_in_world);
+  scene_.sun.illuminance_rgb *= scene.medium->shaft_gain;
   if (settings_.sky != ReferenceSky::Traced) return;
   sky_ = sky_samples(settings_.max_error);
   coarse_sky_ = sky_samples(4.0 * settings_.max_error);
@@ -86,8 +87,9 @@ std::vector<ShaftReference::SkySample> ShaftReference::sky_samples(double max_er
   for (const SkyPatch& patch : patches.patches()) {
     const glm::dvec3 up = glm::normalize(patch.direction_in_world);
     const glm::dvec3 down(up.x, up.y, -up.z);
-    samples.push_back({up, patch.luminance_rgb * patch.solid_angle_sr});
-    samples.push_back({down, (scene_.sky ? ground : harmonic.luminance_rgb(down)) * patch.solid_angle_sr});
+    const double weight = patch.solid_angle_sr * scene_.medium->fog_gain;
+    samples.push_back({up, patch.luminance_rgb * weight});
+    samples.push_back({down, (scene_.sky ? ground : harmonic.luminance_rgb(down)) * weight});
   }
   std::erase_if(samples, [](const SkySample& sample) { return dark(sample.illuminance_rgb); });
   return samples;
@@ -173,7 +175,8 @@ void ShaftReference::sky_light(const ViewRay& ray, const RayAir& air, const Stre
   if (settings_.sky == ReferenceSky::Open) {
     const glm::dvec3 light =
         in_scatter_luminance(scene_.sky_light.radiance_sh, medium.phase_function, medium.g, ray.direction_in_world);
-    out.luminance_rgb += light * (medium.albedo * air.fraction({.from_m = stretch.from_m, .to_m = stretch.to_m}).value);
+    out.luminance_rgb += light * (medium.fog_gain * medium.albedo *
+                                  air.fraction({.from_m = stretch.from_m, .to_m = stretch.to_m}).value);
     return;
   }
   const glm::dvec3 fine = traced_sky(sky_, ray, air, stretch);

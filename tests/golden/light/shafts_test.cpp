@@ -57,6 +57,20 @@ TEST(Shafts, WithoutOccludersTheyAreTheClosedFormUpToTheGround) {
   }
 }
 
+TEST(Shafts, GainsScaleTheSunsAndTheSkysPartEachByItself) {
+  SceneState scene = level_view();
+  const float sun = rig().render(scene, kMarch).shafts.at(32, 5).r;
+  scene.sky_light.radiance_sh[0] = glm::dvec3(9000.0);
+  const float both = rig().render(scene, kMarch).shafts.at(32, 5).r;
+  scene.medium->shaft_gain = 0.0;
+  EXPECT_NEAR(rig().render(scene, kMarch).shafts.at(32, 5).r, both - sun, kHalf * both);
+  scene.medium->shaft_gain = 3.0;
+  scene.medium->fog_gain = 0.5;
+  const LightPictures pictures = rig().render(scene, kMarch);
+  EXPECT_NEAR(pictures.shafts.at(32, 5).r, 3.0F * sun + 0.5F * (both - sun), 3.0F * kHalf * both);
+  EXPECT_EQ(pictures.shafts.at(32, 5).a, 0.0F);  // the air lets through what it did
+}
+
 TEST(Shafts, UnboundedHazeBeforeTheSkyIsOpaque) {
   const SceneState scene = level_view();
   const LightPictures pictures = rig().render(scene, kMarch);

@@ -1,0 +1,74 @@
+// Each technique comes to the reference as its knobs rise.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/shafts/reference/shaft_reference.h"
+#include "tests/golden/light/light_rig.h"
+
+namespace render::test {
+namespace {
+
+// Posts and a beam before a low sun.
+SceneState posts(bool bounded) {
+  SceneState scene = sunny(12.0, 24.0);
+  scene.camera = look_at(128, 96, {0.0, 0.0, 1.5}, {0.0, 10.0, 2.0}, 50.0);
+  scene.instances = {place(make_ground(), glm::dvec3(0.0), true)};
+  for (const double x : {-1.5, 0.5, 1.6}) {
+    scene.instances.push_back(place(make_box({0.3F, 0.3F, 3.0F}), {x, 7.0, 1.5}, false));
+  }
+  scene.instances.push_back(place(make_box({4.0F, 0.3F, 0.3F}), {0.0, 7.0, 3.2}, false));
+  scene.medium = Medium{.extinction_per_m = 0.06, .albedo = 0.9, .g = 0.5};
+  if (bounded) scene.medium->extent = Box{{-6.0, 1.0, 0.0}, {6.0, 14.0, 5.0}};
+  return scene;
+}
+
+// Of the scattered light alone, over the whole picture.
+double relative_rmse(const LightPictures& found, const ReferencePicture& truth, double exposure) {
+  double error = 0.0;
+  double total = 0.0;
+  for (std::size_t i = 0; i < truth.rgba.size(); ++i) {
+    const double expected = truth.rgba[i].r * exposure;
+    error += std::pow(found.shafts.rgba[i].r - expected, 2.0);
+    total += expected * expected;
+  }
+  return std::sqrt(error / total);
+}
+
+ReferencePicture truth_of(const SceneState& scene) {
+  std::vector<float> axis_m;
+  const LightPictures unshaded = rig().render(scene, parse_shaft_settings("closed-form:divisor=1"));
+  for (const glm::vec4& p : unshaded.distance.rgba) axis_m.push_back(p.r);
+  return ShaftReference(scene, {.sky = ReferenceSky::Open}).picture(pinhole_view(scene.camera), axis_m);
+}
+
+struct Rise {
+  const char* coarse;
+  const char* fine;
+  double most;         // error of the fine one
+  double share = 0.5;  // of the coarse one's error, at most
+};
+
+TEST(ShaftConvergence, EveryTechniqueComesToTheReferenceAsItsKnobsRise) {
+  for (const bool bounded : {false, true}) {
+    const SceneState scene = posts(bounded);
+    const ReferencePicture truth = truth_of(scene);
+    // What is left is the shadow map's texels; of averages over tiles and of scaling up, what they smooth away.
+    for (const Rise& rise :
+         {Rise{"march:steps=16", "march:steps=1024", 0.006},
+          Rise{"march:steps=16,spacing=growing", "march:steps=1024,spacing=growing", 0.006},
+          Rise{"interleaved:steps=4,divisor=1", "interleaved:steps=512,divisor=1", 0.01, 0.9},
+          Rise{"bilateral:steps=16,divisor=8", "bilateral:steps=512,divisor=2", 0.03},
+          Rise{"epipolar:steps=16,line_px=8,tolerance=0.3", "epipolar:steps=1024,line_px=0.5,tolerance=0.005", 0.006},
+          Rise{"minmax:line_px=16,tolerance=0.5", "minmax:line_px=0.5,tolerance=0.005", 0.006}}) {
+      const double coarse =
+          relative_rmse(rig().render(scene, parse_shaft_settings(rise.coarse)), truth, scene.exposure);
+      const double fine = relative_rmse(rig().render(scene, parse_shaft_settings(rise.fine)), truth, scene.exposure);
+      EXPECT_LT(fine, rise.share * coarse) << rise.fine << (bounded ? ", bounded" : "");
+      EXPECT_LT(fine, rise.most) << rise.fine << (bounded ? ", bounded" : "");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace render::test
