@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace render {
 
+gl::Defines MarchSteps::defines() const {
+  return {{"SPACING", std::to_string(spacing)}};
+}
+
 void MarchSteps::set(const gl::Program& program) const {
   program.set("steps", count);
-  program.set("spacing", spacing);
   program.set("near_steps", std::clamp(static_cast<int>(std::lround(count * near_share)), 0, count - 1));
   program.set("near_way_m", near_share > 0.0 ? static_cast<float>(near_m) : 0.0F);
 }

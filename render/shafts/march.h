@@ -14,13 +14,15 @@ struct MarchSteps {
   double near_share = 0.5;  // growing: this share of the steps has equal lengths
   double near_m = 2.0;      // up to this far into the medium
 
-  void set(const gl::Program& program) const;  // what shaders/shafts/steps.glsl needs
+  gl::Defines defines() const;                 // what shaders/shafts/steps.glsl is compiled with
+  void set(const gl::Program& program) const;  // and what it needs
 };
 
 // Brute force: every pixel marches its own ray against a map of the casters, and stops where nothing more is seen.
 class March : public ShaftTechnique {
  public:
-  March(const MarchSteps& steps, int divisor) : steps_(steps), divisor_(divisor), open_(divisor) {}
+  March(const MarchSteps& steps, int divisor)
+      : steps_(steps), divisor_(divisor), march_("shafts/march.frag", steps.defines()), open_(divisor) {}
 
   const ShaftPicture& draw(const ShaftInputs& inputs) override;
 
@@ -28,7 +30,7 @@ class March : public ShaftTechnique {
   MarchSteps steps_;
   int divisor_;
   CasterMap casters_{1};
-  AirProgram march_{"shafts/march.frag"};
+  AirProgram march_;
   gl::VertexArray no_vertices_;
   ShaftTarget target_;
   ClosedForm open_;

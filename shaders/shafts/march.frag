@@ -3,7 +3,8 @@
 // variant:
 // variant: NO_DEPTH
 // variant: BOUNDED
-// variant: FALLOFF
+// variant: FALLOFF SPACING=1
+// variant: SPACING=2
 // variant: BOUNDED FALLOFF
 precision highp float;
 

@@ -1,6 +1,9 @@
-// A march in steps that may grow. Needs shafts/ray.glsl and shafts/caster_depth.glsl.
+// A march in steps. SPACING: 0 equal lengths, 1 equal optical depths, 2 growing lengths. Needs shafts/ray.glsl and
+// shafts/caster_depth.glsl.
+#ifndef SPACING
+#define SPACING 0
+#endif
 uniform int steps;
-uniform int spacing;       // 0: equal lengths. 1: equal optical depths. 2: growing lengths
 uniform int near_steps;    // growing: so many equal steps
 uniform float near_way_m;  // up to this far into the stretch, before they grow
 
@@ -8,27 +11,25 @@ uniform float near_way_m;  // up to this far into the stretch, before they grow
 float step_start(int i, Air air, vec2 stretch) {
   float part = float(i) / float(steps);
   if (i >= steps) return stretch.y;
-  if (spacing == 1) {
-    vec2 depths = vec2(view_depth_to(air, stretch.x), view_depth_to(air, stretch.y));
-    return clamp(way_of_depth(air, mix(depths.x, depths.y, part)), stretch.x, stretch.y);
-  }
-  if (spacing == 2) {
-    // Tan 2020, algorithm 1: a near layer of equal steps, then steps whose length grows in proportion to their count.
-    float near = min(near_way_m, stretch.y - stretch.x);
-    if (i < near_steps) return stretch.x + near * float(i) / float(near_steps);
-    float k = float(i - near_steps);
-    float n = float(steps - near_steps);
-    return stretch.x + near + (stretch.y - stretch.x - near) * k * (k + 1.0) / (n * (n + 1.0));
-  }
+#if SPACING == 1
+  vec2 depths = vec2(view_depth_to(air, stretch.x), view_depth_to(air, stretch.y));
+  return clamp(way_of_depth(air, mix(depths.x, depths.y, part)), stretch.x, stretch.y);
+#elif SPACING == 2
+  // Tan 2020, algorithm 1: a near layer of equal steps, then steps whose length grows in proportion to their count.
+  float near = min(near_way_m, stretch.y - stretch.x);
+  if (i < near_steps) return stretch.x + near * float(i) / float(near_steps);
+  float k = float(i - near_steps);
+  float n = float(steps - near_steps);
+  return stretch.x + near + (stretch.y - stretch.x - near) * k * (k + 1.0) / (n * (n + 1.0));
+#else
   return mix(stretch.x, stretch.y, part);
+#endif
 }
 
 // Part of the sunlight, from where the stretch begins to its reach, that gets past the casters; 1 for an empty one.
 float march(Ray ray, Air air, vec2 stretch, float reach) {
-  ivec2 size = textureSize(caster_depth, 0);
-  vec3 texels = vec3(size, 1.0);
-  vec3 origin = texels * map_from_local[3].xyz;
-  vec3 along = texels * (mat3(map_from_local) * ray.direction);
+  vec3 origin = map_from_local[3].xyz;
+  vec3 along = mat3(map_from_local) * ray.direction;
   float from = stretch.x;
   vec2 mark = mark_at(air, from);
   float lit = 0.0;
@@ -40,7 +41,9 @@ float march(Ray ray, Air air, vec2 stretch, float reach) {
     vec2 next = mark_at(air, to);
     float part = sunlight_between(mark, next);
     all += part;
-    seen = lit_at(origin + along * (0.5 * (from + to)), size - 1);
+    vec3 at = origin + along * (0.5 * (from + to));
+    // By coordinates, which software rasterisers look up twice as fast as texels; the map is not filtered.
+    seen = textureLod(caster_depth, at.xy, 0.0).r < min(at.z, 1.0) ? 0.0 : 1.0;
     lit += part * seen;
     from = to;
     mark = next;
