@@ -14,9 +14,9 @@ namespace render {
 
 // How densely the epipolar lines lie and are sampled, and when samples do for a pixel.
 struct LineSettings {
-  double line_px = 2.0;     // between lines, where they leave the picture
-  double sample_px = 16.0;  // between samples on a line
-  double tolerance = 0.05;  // of the lit part of the sunlight, from one sample to the next; above it, none in between
+  double line_px = 3.0;     // between lines, where they leave the picture
+  double sample_px = 24.0;  // between samples on a line
+  double tolerance = 0.1;   // of the lit part of the sunlight, from one sample to the next; above it, none in between
   int divisor = 1;
 };
 
