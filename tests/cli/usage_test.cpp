@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
+
 #include "run_program.h"
 
 namespace cli {
@@ -21,7 +24,8 @@ TEST_P(Help, IsAPageWithAnExampleOnStandardOutput) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         ::testing::Values("process", "render", "explain", "detect", "sky", "sun", "synth", "trade", "doctor"),
+                         ::testing::Values("process", "render", "explain", "detect", "sky", "sun", "synth", "trade",
+                                           "doctor"),
                          [](const auto& command) { return std::string(command.param); });
 
 TEST(Usage, VersionIsPrinted) {
@@ -88,6 +92,18 @@ TEST(Explain, SaysWhichPassesAndWhyNotTheOthers) {
   EXPECT_THAT(result.out, HasSubstr("closed-form"));
   EXPECT_THAT(result.out, HasSubstr("left out\n"));
   EXPECT_THAT(result.out, HasSubstr("shadow     because nothing in the scene casts"));
+}
+
+TEST(Explain, TheProjectsScenesAllNeedPlansOfTheirOwn) {
+  std::map<std::string, std::string> scene_of_plan;
+  for (const auto& entry : std::filesystem::directory_iterator(SKYSHAFT_SOURCE_DIR "/data/scenes")) {
+    const Result result = skyshaft({"explain", "--scene", entry.path().string()});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::string plan = result.out.substr(result.out.find("passes\n"));
+    const auto [other, is_new] = scene_of_plan.emplace(plan, entry.path().filename());
+    EXPECT_TRUE(is_new) << entry.path() << " is planned as " << other->second << " is:\n" << plan;
+  }
+  EXPECT_GE(scene_of_plan.size(), 10U);
 }
 
 TEST(Doctor, NamesTheRendererAndTheEncoders) {
