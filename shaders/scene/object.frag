@@ -4,12 +4,13 @@
 // variant: MARKED VIRTUAL_CASTERS REAL_CASTERS BLOCKER_TAPS=4 FILTER_TAPS=8 BASE_COLOR_TEXTURE METALLIC_ROUGHNESS_TEXTURE NORMAL_TEXTURE OCCLUSION_TEXTURE EMISSIVE_TEXTURE THIN
 // variant: ALPHA_BLEND BASE_COLOR_TEXTURE BLOCKER_TAPS=4 FILTER_TAPS=8
 precision highp float;
+precision highp int;
 
 #include "scene/shade.glsl"
 
 layout(location = 0) out vec4 added;  // a: ALPHA_BLEND: opacity; else what stays uncovered: 0
 #ifdef MARKED
-#include "scene/facing.glsl"
+#include "scene/surface_mark.glsl"
 layout(location = 1) out float mark;  // surface_mark()
 #endif
 

@@ -5,11 +5,12 @@
 // variant:
 // variant: ALPHA_MASK
 precision highp float;
+precision highp int;
 
-#include "scene/facing.glsl"
+#include "scene/surface_mark.glsl"
 
 uniform highp sampler2D shaded;  // light
-uniform highp sampler2D marks;   // surface_mark(), 0 where no virtual surface is
+uniform highp sampler2D marks;   // surface_mark(), 0 where no virtual surface is; unfiltered
 
 #ifdef ALPHA_MASK
 #include "scene/mask.glsl"
@@ -23,17 +24,17 @@ in vec2 v_uv;
 in vec3 v_normal;
 layout(location = 0) out vec4 added;  // a: ALPHA_MASK: coverage; else what stays uncovered: 0
 
-// A cell's turn counts as much as this relative difference in distance: the sides of a lath are told apart by their
-// facing, a fruit's rim from the leaves behind by its distance.
-const float kTurn = 0.002;
+// A step of facing() counts as much as this relative difference in distance: the sides of a lath are told apart by their
+// facing, a fruit's rim from the leaves behind by its distance. A few steps are rounding and the bend of a surface.
+const float kTurn = 1e-4;
+const float kSameFacing = 8.0;
 
-// How much less the surface in that pixel suits than one that would lie there at that near / z; none at all: 1e9.
-float mismatch(ivec2 at, float expected, vec2 cell) {
-  uint mark = floatBitsToUint(texelFetch(marks, at, 0).r);
-  float off = abs(uintBitsToFloat(mark & ~255u) / expected - 1.0);
-  vec2 turned = abs(vec2(float(mark & 15u), float((mark >> 4u) & 15u)) - cell);
-  off += kTurn * max(max(turned.x, turned.y) - 1.0, 0.0);  // one cell is rounding
-  return mark != 0u ? off : 1e9;
+// How much less a pixel's surface suits than one that would be there at near / z = expected, `scale` being 1 / that; none
+// at all: 1.
+float mismatch(float mark, float expected, float scale, float own_facing) {
+  uint bits = floatBitsToUint(mark);
+  float turned = abs(float(bits & 255u) - own_facing);
+  return abs(uintBitsToFloat(bits & ~255u) - expected) * scale + kTurn * max(turned - kSameFacing, 0.0);
 }
 
 void main() {
@@ -42,24 +43,25 @@ void main() {
   alpha = mask_coverage(base_color.a * texture(base_color_texture, v_uv).a, alpha_cutoff, v_uv,
                         vec2(textureSize(base_color_texture, 0)));
 #endif
-  vec2 cell = facing_cell(gl_FrontFacing ? v_normal : -v_normal);
-  ivec2 at = ivec2(gl_FragCoord.xy);
-  ivec2 last = textureSize(marks, 0) - 1;
+  float own = facing(gl_FrontFacing ? v_normal : -v_normal);
+  vec2 pixel = 1.0 / vec2(textureSize(marks, 0));
+  vec2 at = gl_FragCoord.xy * pixel;
   float here = max(1.0 - gl_FragCoord.z, 1e-20);
-  vec2 slope = vec2(dFdx(here), dFdy(here));
+  float scale = 1.0 / here;
+  float dx = dFdx(here);
+  float dy = dFdy(here);
 
+  vec4 off = vec4(mismatch(textureLodOffset(marks, at, 0.0, ivec2(-1, 0)).r, here - dx, scale, own),
+                  mismatch(textureLodOffset(marks, at, 0.0, ivec2(1, 0)).r, here + dx, scale, own),
+                  mismatch(textureLodOffset(marks, at, 0.0, ivec2(0, -1)).r, here - dy, scale, own),
+                  mismatch(textureLodOffset(marks, at, 0.0, ivec2(0, 1)).r, here + dy, scale, own));
   // Its own pixel first: within half a pixel along the surface, and what rounding leaves.
-  ivec2 best = at;
-  float least = mismatch(at, here, cell) - 0.5 * (abs(slope.x) + abs(slope.y)) / here - 1e-4;
-  for (int i = 0; i < 4; ++i) {
-    ivec2 step_px = i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5);
-    ivec2 beside = clamp(at + step_px, ivec2(0), last);
-    float off = mismatch(beside, max(here + dot(slope, vec2(step_px)), 1e-20), cell);
-    if (off < least) {
-      least = off;
-      best = beside;
-    }
-  }
-  if (least > 1e8) discard;
-  added = vec4(texelFetch(shaded, best, 0).rgb, alpha);
+  float centre = mismatch(textureLod(marks, at, 0.0).r, here, scale, own) - 0.5 * (abs(dx) + abs(dy)) * scale - 1e-4;
+  float across = min(off.x, off.y);
+  float along = min(off.z, off.w);
+  float least = min(across, along);
+  vec2 beside = across < along ? vec2(off.x < off.y ? -1.0 : 1.0, 0.0) : vec2(0.0, off.z < off.w ? -1.0 : 1.0);
+  if (min(centre, least) > 0.9) discard;
+  vec2 best = centre <= least ? vec2(0.0) : beside;
+  added = vec4(textureLod(shaded, at + best * pixel, 0.0).rgb, alpha);
 }

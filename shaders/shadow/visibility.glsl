@@ -77,14 +77,17 @@ float sun_visibility(highp sampler2DShadow depth_compare, highp sampler2D depth_
   bool undecided = blockers > 0.5;
   float gap_m = max(search.receiver - blocker_depth / max(blockers, 1.0), 0.0) * metres_per_unit.z;
   vec2 radius = max(disc_slope * gap_m / metres_per_unit.xy, vec2(0.75 * texel));
-  int filter_taps = undecided ? FILTER_TAPS : 0;
+  // A narrow penumbra spans few texels, each look-up four.
+  float reach_texels = max(radius.x, radius.y) / texel;
+  int filter_taps = undecided ? min(4 + int(2.0 * reach_texels), FILTER_TAPS) : 0;
+  float share = 1.0 / float(max(filter_taps, 1));
   float lit = 0.0;
   for (int i = 0; i < filter_taps; ++i) {
-    vec2 offset = direction * sqrt((float(i) + 0.5) / float(FILTER_TAPS)) * radius;
+    vec2 offset = direction * sqrt((float(i) + 0.5) * share) * radius;
     direction = next_direction(direction);
     float reference = min(search.receiver + dot(slope, offset), 1.0);  // behind all casters too, an empty texel is lit
     lit += textureLod(depth_compare, vec3(at_in_map.xy + offset, reference), 0.0);
   }
-  if (undecided) return lit / float(FILTER_TAPS);
+  if (undecided) return lit * share;
   return search.lit || (!search.dark && blockers < 0.5) ? 1.0 : 0.0;
 }
