@@ -110,7 +110,10 @@ std::optional<ShaftSettings> choose_shafts(const std::vector<ShaftMeasurement>& 
   const auto time = [](const ShaftMeasurement& m) { return m.ms_per_megapixel; };
   const auto error = [](const ShaftMeasurement& m) { return m.relative_rmse; };
   std::vector<const ShaftMeasurement*> among;
-  for (const ShaftMeasurement& m : table) among.push_back(&m);
+  for (const ShaftMeasurement& m : table) {
+    if (!m.settings.starts_with("closed-form")) among.push_back(&m);
+  }
+  if (among.empty()) return std::nullopt;
   if (demand.target_ms) {
     const auto fits = [&](const ShaftMeasurement& m) {
       return m.ms_per_megapixel * 1e-6 * pixels <= *demand.target_ms;

@@ -7,7 +7,8 @@
 namespace render {
 namespace {
 
-const std::vector<ShaftMeasurement> kTable{{"march:steps=16", 0.2, 50.0},
+const std::vector<ShaftMeasurement> kTable{{"closed-form", 0.6, 1.0},  // cuts no shafts: never chosen
+                                           {"march:steps=16", 0.2, 50.0},
                                            {"march:steps=64", 0.05, 200.0},
                                            {"interleaved", 0.06, 20.0},
                                            {"march:steps=1024", 0.01, 3000.0}};
