@@ -64,7 +64,7 @@ void World::add_tags(const Spec& spec) {
     const cv::Vec3d& place = mapped.world_from_tag.translation;
     tag.centre = glm::vec3(place[0], place[1], place[2]);
     tag.world_from_tag = to_glm(mapped.world_from_tag.rotation);
-    tag.face = make_tag_face(spec.tags.family, id, mapped.size_m);
+    tag.face = ar::make_tag_face(spec.tags.family, id, mapped.size_m);
     tag.half_side_m = static_cast<float>(0.5 * tag.face.side_m());
     const glm::vec3 behind = tag.world_from_tag[2] * (0.5F * kBoard + 1e-4F);
     blocks_.push_back(

@@ -14,7 +14,7 @@
 #include "app/synth/plants.h"
 #include "app/synth/spec.h"
 #include "app/synth/surfaces.h"
-#include "app/synth/tag_face.h"
+#include "ar/track/tag_face.h"
 
 namespace app::synth {
 
@@ -63,7 +63,7 @@ class World {
   struct PrintedTag {
     glm::vec3 centre;
     glm::mat3 world_from_tag{1.0F};
-    TagFace face;
+    ar::TagFace face;
     float half_side_m = 0.0F;
   };
   struct Card {

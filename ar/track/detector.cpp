@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "ar/track/grey.h"
+
 namespace ar {
 namespace {
 
@@ -112,7 +114,6 @@ struct Detector::Impl {
                                                                                 apriltag_detector_destroy};
   cv::Mat grey;  // room for luma that has to be converted
 
-  cv::Mat luma8(const Frame& frame);
   void detect_in(const cv::Mat& grey8, const cv::Rect& region, std::vector<Detection>& found);
   std::vector<Detection> run(const cv::Mat& view, const cv::Point& origin);
   void refine_at_border(const cv::Mat& grey8, Detection& detection);
@@ -139,33 +140,6 @@ void Detector::set_decimate(double quad_decimate) {
   CV_CheckGE(quad_decimate, 1.0, "quad_decimate");
   impl_->options.quad_decimate = quad_decimate;
   impl_->detector->quad_decimate = static_cast<float>(quad_decimate);
-}
-
-cv::Mat Detector::Impl::luma8(const Frame& frame) {
-  const int width = frame.format.width;
-  const int height = frame.format.height;
-  const int type = frame.format.bit_depth > 8 ? CV_16UC1 : CV_8UC1;
-  const auto plane = [&](std::size_t i) {
-    const std::ptrdiff_t stride = frame.stride_bytes[i];
-    const bool upward = stride < 0;  // rows lie from the last to the first; OpenCV and the library want them in order
-    // OpenCV has no view of constant memory; nothing below writes through it.
-    auto* first = const_cast<std::uint8_t*>(frame.plane[i] + (upward ? stride * (height - 1) : 0));
-    const cv::Mat view(height, width, type, first, static_cast<std::size_t>(std::abs(stride)));
-    if (!upward) return view;
-    cv::Mat in_order;
-    cv::flip(view, in_order, 0);
-    return in_order;
-  };
-  const double to_8_bit = 1.0 / (1 << (frame.format.bit_depth - 8));
-  if (frame.format.color.matrix != ColorMatrix::Rgb) {
-    if (type == CV_8UC1) return plane(0);
-    plane(0).convertTo(grey, CV_8U, to_8_bit);
-    return grey;
-  }
-  cv::Mat sum;  // luma of BT.601 from planes G, B, R: contrast is what counts here, not colour
-  cv::addWeighted(plane(0), 0.587 * to_8_bit, plane(1), 0.114 * to_8_bit, 0.0, sum, CV_32F);
-  cv::addWeighted(sum, 1.0, plane(2), 0.299 * to_8_bit, 0.0, grey, CV_8U);
-  return grey;
 }
 
 std::vector<Detection> Detector::Impl::run(const cv::Mat& view, const cv::Point& origin) {
@@ -238,11 +212,11 @@ std::vector<Detection> Detector::detect(const cv::Mat& gray8, const std::vector<
 }
 
 std::vector<Detection> Detector::detect(const Frame& frame) {
-  return detect(impl_->luma8(frame));
+  return detect(grey8(frame, impl_->grey));
 }
 
 std::vector<Detection> Detector::detect(const Frame& frame, const std::vector<cv::Rect>& regions) {
-  return detect(impl_->luma8(frame), regions);
+  return detect(grey8(frame, impl_->grey), regions);
 }
 
 }  // namespace ar

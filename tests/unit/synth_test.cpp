@@ -11,7 +11,7 @@
 #include "app/synth/path.h"
 #include "app/synth/raycast.h"
 #include "app/synth/spec.h"
-#include "app/synth/tag_face.h"
+#include "ar/track/tag_face.h"
 #include "app/synth/world.h"
 #include "ar/track/detector.h"
 
@@ -174,12 +174,12 @@ TEST(SynthFilm, NoiseAtGreyHasTheSigmaAskedFor) {
 }
 
 TEST(SynthTagFace, HasAWhiteMarginAndABlackBorder) {
-  const TagFace face = make_tag_face("tag36h11", 0, 0.8);
+  const ar::TagFace face = ar::make_tag_face("tag36h11", 0, 0.8);
   EXPECT_EQ(face.cells, 12);
   EXPECT_NEAR(face.cell_m, 0.1, 1e-12);
   EXPECT_TRUE(face.is_white(-0.41, 0.0));
   EXPECT_FALSE(face.is_white(-0.39, 0.0));
-  EXPECT_THROW(make_tag_face("tag36h11", 587, 0.8), std::runtime_error);
+  EXPECT_THROW(ar::make_tag_face("tag36h11", 587, 0.8), std::runtime_error);
 }
 
 }  // namespace

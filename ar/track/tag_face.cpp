@@ -1,4 +1,4 @@
-#include "app/synth/tag_face.h"
+#include "ar/track/tag_face.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ extern "C" {
 #include <memory>
 #include <stdexcept>
 
-namespace app::synth {
+namespace ar {
 
 namespace {
 
@@ -86,4 +86,4 @@ bool TagFace::is_white(double x, double y) const {
   return white[static_cast<std::size_t>(row * cells + column)] != 0;
 }
 
-}  // namespace app::synth
+}  // namespace ar

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace app::synth {
+namespace ar {
 
 // A tag as printed: square cells, black or white, with the white margin that its family asks for and one cell more.
 struct TagFace {
@@ -23,4 +23,4 @@ TagFace make_tag_face(const std::string& family, int id, double size_m);
 // How many ids the family has. Throws std::runtime_error for an unknown family.
 int tag_count(const std::string& family);
 
-}  // namespace app::synth
+}  // namespace ar
