@@ -1,0 +1,23 @@
+#include "ar/capture/live_source.h"
+
+#include <fmt/format.h>
+
+#include "ar/capture/file_live_source.h"
+#include "ar/capture/v4l2_source.h"
+#include "ar/error.h"
+
+namespace ar {
+
+std::unique_ptr<LiveSource> open_live_source(const std::string& specification, const LiveRequest& request) {
+  const std::size_t colon = specification.find(':');
+  const std::string kind = specification.substr(0, colon);
+  const std::string rest = colon == std::string::npos ? "" : specification.substr(colon + 1);
+  if (colon != std::string::npos) {
+    if (kind == "v4l2") return open_v4l2_source(rest, request);
+    if (kind == "file") return open_file_live_source(rest);
+  }
+  throw InputError(fmt::format(
+      "no source is called '{}'\nGive v4l2:/dev/video0, v4l2: (the first camera) or file:CLIP.", specification));
+}
+
+}  // namespace ar

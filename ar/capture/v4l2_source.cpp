@@ -1,0 +1,291 @@
+#include "ar/capture/v4l2_source.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <poll.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <new>
+#include <set>
+
+#include "ar/capture/camera_format.h"
+#include "ar/capture/frame_clock.h"
+#include "ar/capture/frame_maker.h"
+#include "ar/capture/mjpeg_decoder.h"
+#include "ar/capture/pixel_format.h"
+#include "ar/capture/trouble_log.h"
+#include "ar/capture/v4l2_buffers.h"
+#include "ar/capture/v4l2_device.h"
+#include "ar/error.h"
+
+namespace ar {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr unsigned kBuffers = 6;
+constexpr unsigned kDriversShare = 2;        // so many buffers stay with the driver, whoever holds the others
+constexpr milliseconds kFirstPicture{5000};  // a camera may take seconds to start
+
+std::int64_t microseconds_now() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(steady_clock::now().time_since_epoch()).count();
+}
+
+std::string offered_formats(const std::vector<CameraMode>& modes) {
+  std::set<std::string> names;
+  for (const CameraMode& mode : modes) names.insert(mode.format);
+  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+ModeChoice choose(const v4l2::Device& device, const LiveRequest& request) {
+  if (!device.captures()) {
+    throw InputError(fmt::format(
+        "cannot use {} ({}): it gives no pictures to programs\nIt may be an output, hold metadata only, or be part of "
+        "a camera that libcamera drives; `skyshaft live --list-cameras` lists those that can be used.",
+        device.node().string(), device.card()));
+  }
+  const std::vector<CameraMode> modes = v4l2::list_modes(device, request);
+  if (const auto choice = choose_mode(modes, request)) return *choice;
+  throw InputError(
+      fmt::format("cannot use {} ({}): it offers {}, not {}\nAsk for one of these, or none: YU12, NV12, "
+                  "YUYV, UYVY, RGB3, BGR3, MJPG, GREY.",
+                  device.node().string(), device.card(), offered_formats(modes),
+                  request.format ? *request.format : "a format that can be decoded here"));
+}
+
+// Sets size and format; what the driver made of them.
+v4l2_pix_format set_format(const v4l2::Device& device, const CameraMode& mode) {
+  v4l2_format format{};
+  format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  format.fmt.pix.width = static_cast<std::uint32_t>(mode.width);
+  format.fmt.pix.height = static_cast<std::uint32_t>(mode.height);
+  format.fmt.pix.pixelformat = fourcc_code(mode.format);
+  format.fmt.pix.field = V4L2_FIELD_NONE;
+  device.require(VIDIOC_S_FMT, &format, "VIDIOC_S_FMT");
+  const v4l2_pix_format& set = format.fmt.pix;
+  if (set.pixelformat != fourcc_code(mode.format)) {
+    throw InputError(fmt::format("cannot use {} ({}): asked for {}, it gives {}\nAsk for another format or size.",
+                                 device.node().string(), device.card(), mode.format, fourcc_name(set.pixelformat)));
+  }
+  const bool whole = set.field == V4L2_FIELD_NONE || set.field == V4L2_FIELD_ANY;
+  const bool woven = set.field == V4L2_FIELD_INTERLACED || set.field == V4L2_FIELD_INTERLACED_TB ||
+                     set.field == V4L2_FIELD_INTERLACED_BT;
+  if (!whole && !woven) {
+    throw InputError(
+        fmt::format("cannot use {} ({}): it gives half-pictures (interlaced fields)\nSet its input to a "
+                    "progressive one (v4l2-ctl).",
+                    device.node().string(), device.card()));
+  }
+  if (woven) spdlog::warn("{}: interlaced; its frames are combed where things move", device.node().string());
+  return set;
+}
+
+// Asks for a rate; the one that the driver gives, 0/1 where it does not say.
+Rational set_rate(const v4l2::Device& device, double rate) {
+  v4l2_streamparm parameters{};
+  parameters.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  if (device.call(VIDIOC_G_PARM, &parameters) != 0) return {0, 1};
+  v4l2_captureparm& capture = parameters.parm.capture;
+  if ((capture.capability & V4L2_CAP_TIMEPERFRAME) != 0) {
+    constexpr std::uint32_t kFine = 10'000'000;  // UVC counts in 100 ns
+    capture.timeperframe = {static_cast<std::uint32_t>(kFine / rate + 0.5), kFine};
+    if (const int error = device.call(VIDIOC_S_PARM, &parameters); error != 0) {
+      throw InputError(v4l2::explain(device.node(), "VIDIOC_S_PARM", error));
+    }
+  }
+  const v4l2_fract& interval = capture.timeperframe;
+  if (interval.numerator == 0 || interval.denominator == 0) return {0, 1};
+  int num = 0;
+  int den = 1;
+  av_reduce(&num, &den, interval.denominator, interval.numerator, 1'000'000);
+  return {num, den};
+}
+
+class V4l2Source : public LiveSource {
+ public:
+  V4l2Source(const std::string& address, const LiveRequest& request);
+
+  const SourceInfo& info() const override { return info_; }
+  std::string identity() const override { return identity_; }
+  LiveRead read(milliseconds patience) override;
+  LiveCounts counts() const override { return trouble_.counts(); }
+
+ private:
+  struct Taken {
+    ffmpeg::FramePtr picture;  // null: the frame was damaged
+    std::int64_t taken_us = 0;
+  };
+
+  void describe(const ModeChoice& choice, const v4l2_pix_format& set);
+  void await_first_picture();
+  LiveRead lost(int error) const;
+  LiveRead hand_out(Taken taken);
+  int take(Taken& taken);
+  ffmpeg::FramePtr picture_in(const v4l2::Filled& filled);
+  std::int64_t time_of(const v4l2_buffer& about);
+
+  std::shared_ptr<const v4l2::Device> device_;
+  std::string identity_;
+  TroubleLog trouble_;
+  PictureLayout layout_;  // of raw pictures
+  v4l2_pix_format set_{};
+  std::optional<MjpegDecoder> decoder_;
+  std::optional<FrameMaker> maker_;
+  SourceInfo info_;
+  double duration_s_ = 0.0;
+  FrameClock clock_;
+  bool foreign_told_ = false;
+  std::optional<v4l2::CaptureBuffers> buffers_;
+  std::optional<Taken> first_;  // of a compressed stream: what told its format
+  std::int64_t frames_ = 0;
+};
+
+V4l2Source::V4l2Source(const std::string& address, const LiveRequest& request)
+    : device_(std::make_shared<const v4l2::Device>(v4l2::resolve(address))),
+      identity_("v4l2:" + v4l2::stable_address(*device_)),
+      trouble_(device_->node().string()) {
+  const ModeChoice choice = choose(*device_, request);
+  set_ = set_format(*device_, choice.mode);
+  info_.frame_rate = set_rate(*device_, choice.rate);
+  const CameraFormat format = *find_camera_format(choice.mode.format);
+  layout_ = {format.pixels, static_cast<int>(set_.width), static_cast<int>(set_.height),
+             static_cast<int>(set_.bytesperline)};
+  if (format.codec != AV_CODEC_ID_NONE) decoder_.emplace();
+  buffers_.emplace(device_, kBuffers);
+  if (decoder_) {
+    await_first_picture();
+  } else {
+    const ffmpeg::FramePtr like = ffmpeg::make_frame();
+    like->format = layout_.pixels;
+    like->width = layout_.width;
+    like->height = layout_.height;
+    tag_colors(set_, *like);
+    maker_.emplace(*like, nullptr, device_->node().string(), OpenOptions{.threads = 1});
+  }
+  describe(choice, set_);
+}
+
+void V4l2Source::describe(const ModeChoice& choice, const v4l2_pix_format& set) {
+  maker_->describe(info_);
+  info_.name = fmt::format("{} ({})", device_->card(), device_->node().string());
+  info_.time_base = {1, 1'000'000};
+  info_.codec = choice.mode.format;
+  if (info_.frame_rate.num > 0) duration_s_ = static_cast<double>(info_.frame_rate.den) / info_.frame_rate.num;
+  spdlog::info("{}: {} {}x{} at {:.4g} frames a second", info_.name, choice.mode.format, set.width, set.height,
+               duration_s_ > 0 ? 1.0 / duration_s_ : 0.0);
+}
+
+// Only its first picture says how a compressed stream is sampled.
+void V4l2Source::await_first_picture() {
+  const auto end = steady_clock::now() + kFirstPicture;
+  while (steady_clock::now() < end) {
+    pollfd waiting{device_->descriptor(), POLLIN, 0};
+    poll(&waiting, 1, 100);
+    Taken taken;
+    const int error = take(taken);
+    if (error == EAGAIN) continue;
+    if (error != 0) throw InputError(v4l2::explain(device_->node(), "VIDIOC_DQBUF", error));
+    if (!taken.picture) continue;
+    maker_.emplace(*taken.picture, nullptr, device_->node().string(), OpenOptions{.threads = 1});
+    first_ = std::move(taken);
+    return;
+  }
+  throw InputError(
+      fmt::format("cannot use {} ({}): it gave no whole picture in {} s\nPlug it in again, or ask for "
+                  "another format.",
+                  device_->node().string(), device_->card(), kFirstPicture.count() / 1000));
+}
+
+std::int64_t V4l2Source::time_of(const v4l2_buffer& about) {
+  DriverStamp stamp{about.sequence, std::nullopt};
+  if ((about.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC) {
+    stamp.taken_us = std::int64_t{about.timestamp.tv_sec} * 1'000'000 + about.timestamp.tv_usec;
+  }
+  const FrameClock::Reading reading = clock_.read(stamp, microseconds_now());
+  trouble_.missed(reading.missed);
+  if (reading.foreign && !foreign_told_) {
+    spdlog::warn("{}: its driver's times are not of the system's clock; taken from their arrival", trouble_.name());
+    foreign_told_ = true;
+  }
+  return reading.taken_us;
+}
+
+ffmpeg::FramePtr V4l2Source::picture_in(const v4l2::Filled& filled) {
+  const bool broken = (filled.about.flags & V4L2_BUF_FLAG_ERROR) != 0;
+  const std::size_t used = std::min<std::size_t>(filled.about.bytesused, filled.memory->size);
+  if (decoder_) {
+    return broken || used == 0 ? nullptr : decoder_->decode({filled.memory->data, used});
+  }
+  if (broken || used < layout_.bytes()) return nullptr;
+  ffmpeg::FramePtr picture = picture_on(layout_, filled.memory.get());
+  tag_colors(set_, *picture);
+  // Pictures that need no conversion go out in the driver's own memory, until it would run dry.
+  const bool dry = buffers_->on_loan() + kDriversShare > buffers_->count();
+  if (dry && is_native(layout_.pixels) && av_frame_make_writable(picture.get()) < 0) throw std::bad_alloc();
+  return picture;
+}
+
+// 0 and a frame, good or damaged; or the errno of the stream.
+int V4l2Source::take(Taken& taken) {
+  buffers_->retry();
+  v4l2::Filled filled;
+  if (const int error = buffers_->take(filled); error != 0) return error;
+  taken.taken_us = time_of(filled.about);
+  taken.picture = picture_in(filled);
+  if (!taken.picture) trouble_.damaged();
+  return 0;
+}
+
+LiveRead V4l2Source::hand_out(Taken taken) {
+  LiveRead read;
+  read.status = LiveStatus::Frame;
+  Frame frame = maker_->make(std::move(taken.picture));
+  frame.index = frames_++;
+  frame.pts = taken.taken_us;
+  frame.time_s = static_cast<double>(taken.taken_us) * 1e-6;
+  frame.duration_s = duration_s_;
+  read.frame = std::move(frame);
+  return read;
+}
+
+LiveRead V4l2Source::lost(int error) const {
+  const bool gone = error == ENODEV || error == ENXIO;
+  return {LiveStatus::Lost, std::nullopt,
+          gone ? fmt::format("{}: the camera is gone", info_.name)
+               : fmt::format("{}: the camera stopped ({})", info_.name, strerrorname_np(error))};
+}
+
+LiveRead V4l2Source::read(milliseconds patience) {
+  if (first_) {
+    Taken taken = std::move(*first_);
+    first_.reset();
+    return hand_out(std::move(taken));
+  }
+  const auto end = steady_clock::now() + patience;
+  for (;;) {
+    trouble_.tell();
+    const auto left = std::chrono::ceil<milliseconds>(end - steady_clock::now());
+    pollfd waiting{device_->descriptor(), POLLIN, 0};
+    const int ready = poll(&waiting, 1, static_cast<int>(std::max<std::int64_t>(0, left.count())));
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready == 0) return {};
+    Taken taken;
+    const int error = take(taken);
+    const bool over = (waiting.revents & (POLLERR | POLLHUP)) != 0;
+    if (error == EAGAIN && over) return lost(EIO);
+    if (error != 0 && error != EAGAIN) return lost(error);
+    if (taken.picture) return hand_out(std::move(taken));
+    if (steady_clock::now() >= end) return {};
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<LiveSource> open_v4l2_source(const std::string& address, const LiveRequest& request) {
+  return std::make_unique<V4l2Source>(address, request);
+}
+
+}  // namespace ar
