@@ -22,6 +22,7 @@ void add_contact_command(CLI::App& app, Program& program);
 void add_detect_command(CLI::App& app, Program& program);
 void add_doctor_command(CLI::App& app, Program& program);
 void add_explain_command(CLI::App& app, Program& program);
+void add_live_command(CLI::App& app, Program& program);
 void add_process_command(CLI::App& app, Program& program);
 void add_render_command(CLI::App& app, Program& program);
 void add_sky_command(CLI::App& app, Program& program);

@@ -45,6 +45,7 @@ void describe(CLI::App& cli, app::Program& program) {
 
 void add_commands(CLI::App& cli, app::Program& program) {
   app::add_process_command(cli, program);
+  app::add_live_command(cli, program);
   app::add_render_command(cli, program);
   app::add_explain_command(cli, program);
   app::add_detect_command(cli, program);

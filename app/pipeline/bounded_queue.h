@@ -25,6 +25,15 @@ class BoundedQueue {
     return true;
   }
 
+  // False at once when it is full, or was aborted: the value is dropped.
+  bool try_push(T value) {
+    const std::lock_guard lock(mutex_);
+    if (items_.size() >= capacity_ || aborted_) return false;
+    items_.push_back(std::move(value));
+    filled_.notify_one();
+    return true;
+  }
+
   // Waits for a value. Nothing when the queue is closed and empty, or aborted.
   std::optional<T> pop() {
     std::unique_lock lock(mutex_);

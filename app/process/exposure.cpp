@@ -1,11 +1,14 @@
 #include "app/process/exposure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>
 
 #include "app/scene_file/scene_file.h"
+#include "app/scene_state_builder.h"
 
 namespace app {
 namespace {
@@ -73,6 +76,18 @@ double exposure_from_mean(double mean_linear, double horizontal_illuminance_lux)
   constexpr double kGrey = 0.18;
   const double grey_luminance = kGrey * horizontal_illuminance_lux / std::numbers::pi;
   return std::max(mean_linear, kDarkestMean) / grey_luminance;
+}
+
+ExposureChoice choose_exposure(const std::optional<double>& of_scene, const render::SceneState& state,
+                               const std::vector<const ar::Frame*>& frames) {
+  if (of_scene) return {*of_scene, "the scene"};
+  const auto told = frames.empty() ? std::nullopt : exposure_from_metadata(frames.front()->exposure);
+  if (told) return {*told, "the video's metadata"};
+  const double lux = horizontal_illuminance(state);
+  if (frames.empty() || lux <= 0.0) return {state.exposure, "the default, without light to estimate it from"};
+  const double mean = mean_linear_luma(frames);
+  return {exposure_from_mean(mean, lux),
+          fmt::format("an estimate: the first frames' mean of {:.3f} taken as 18 % grey", mean)};
 }
 
 }  // namespace app

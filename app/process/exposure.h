@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ar/capture/frame.h"
+#include "render/plan/scene_state.h"
 
 namespace app {
 
@@ -18,5 +20,15 @@ double mean_linear_luma(const std::vector<const ar::Frame*>& frames);
 // The exposure at which level 18 % grey under `horizontal_illuminance_lux` (> 0) has that mean: the plain estimate when
 // nobody tells.
 double exposure_from_mean(double mean_linear, double horizontal_illuminance_lux);
+
+struct ExposureChoice {
+  double exposure = 0.0;  // display-linear per cd/m2
+  std::string origin;     // "the scene", "the video's metadata", ...
+};
+
+// The scene's where it has one, else what the first of `frames` tells, else the plain estimate from all of them in the
+// light of `state`.
+ExposureChoice choose_exposure(const std::optional<double>& of_scene, const render::SceneState& state,
+                               const std::vector<const ar::Frame*>& frames);
 
 }  // namespace app

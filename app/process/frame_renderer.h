@@ -23,6 +23,11 @@ class FrameRenderer {
                 const render::Quality& quality);
 
   void set_exposure(double exposure) { exposure_ = exposure; }
+  // From the next frame on.
+  void set_quality(const render::Quality& quality) { quality_ = quality; }
+  void set_scene(SceneStateBuilder scene) { scene_ = std::move(scene); }
+  // The light at that time, without a camera.
+  render::SceneState light_at(double elapsed_s) { return scene_.at(elapsed_s); }
   // Measures the passes of some frames; what is measured waits for the GPU, so not of all of them.
   void enable_timing(bool on) { timing_ = on; }
 
@@ -42,7 +47,7 @@ class FrameRenderer {
   render::Renderer renderer_;
   render::Camera camera_;
   SceneStateBuilder scene_;
-  const render::Quality quality_;
+  render::Quality quality_;
   double exposure_ = 0.0;
   bool timing_ = false;
   render::Plan plan_;

@@ -19,6 +19,7 @@
 #include "app/process/frame_renderer.h"
 #include "app/process/poses_csv.h"
 #include "app/process/report.h"
+#include "app/process/tracked_scene.h"
 #include "app/scene_file/scene_file.h"
 #include "app/scene_state_builder.h"
 #include "ar/capture/source.h"
@@ -31,18 +32,6 @@ namespace {
 // Frames that the plain exposure estimate looks at.
 constexpr std::size_t kFramesForExposure = 5;
 
-SceneFile load_scene(const ProcessOptions& options) {
-  SceneFile scene = load_scene_file(options.scene);
-  if (!scene.tags) {
-    throw ar::InputError(
-        fmt::format("{}: found no 'tags'; accepted: the tags whose places tell where the camera is\n"
-                    "add `tags: {{ family: tag36h11, size: 0.16, map: [...] }}`",
-                    options.scene.string()));
-  }
-  if (options.shafts) scene.quality.shafts = *options.shafts;
-  return scene;
-}
-
 void check_outputs(const ProcessOptions& options) {
   check_may_write(options.output, options.sink.overwrite);
   if (options.poses) check_may_write(*options.poses, options.sink.overwrite);
@@ -54,12 +43,6 @@ ar::OpenOptions open_options(const ProcessOptions& options) {
   open.tone_map_hdr = options.tone_map;
   open.image_frame_rate = options.image_frame_rate;
   return open;
-}
-
-ar::Tracker make_tracker(const ar::CameraModel& camera, const ar::TagMap& tags) {
-  ar::TrackerOptions options;
-  options.detector.families = {tags.family};
-  return {camera, tags, options};
 }
 
 Conditions announced(Conditions conditions) {
@@ -101,7 +84,7 @@ class Job {
 
 Job::Job(const ProcessOptions& options)
     : options_(options),
-      scene_(load_scene(options)),
+      scene_(load_tracked_scene(options.scene, options.shafts)),
       source_(ar::open_source(options.input, open_options(options))),
       reader_(*source_, options.frames),
       camera_(choose_camera(options.camera, source_->info())),
@@ -117,23 +100,9 @@ Job::Job(const ProcessOptions& options)
 void Job::choose_exposure() {
   const render::SceneState state = builder_.at(0.0);
   log_light(state);
-  const auto frames = reader_.peek(kFramesForExposure);
-  const double lux = horizontal_illuminance(state);
-  const auto told = frames.empty() ? std::nullopt : exposure_from_metadata(frames.front()->exposure);
-  if (builder_.exposure()) {
-    facts_.exposure = *builder_.exposure();
-    facts_.exposure_origin = "the scene";
-  } else if (told) {
-    facts_.exposure = *told;
-    facts_.exposure_origin = "the video's metadata";
-  } else if (frames.empty() || lux <= 0.0) {
-    facts_.exposure = state.exposure;
-    facts_.exposure_origin = "the default, without light to estimate it from";
-  } else {
-    const double mean = mean_linear_luma(frames);
-    facts_.exposure = exposure_from_mean(mean, lux);
-    facts_.exposure_origin = fmt::format("an estimate: the first frames' mean of {:.3f} taken as 18 % grey", mean);
-  }
+  const ExposureChoice choice = ::app::choose_exposure(builder_.exposure(), state, reader_.peek(kFramesForExposure));
+  facts_.exposure = choice.exposure;
+  facts_.exposure_origin = choice.origin;
   spdlog::info("exposure: white at {:.0f} cd/m2, from {}", 1.0 / facts_.exposure, facts_.exposure_origin);
   renderer_.set_exposure(facts_.exposure);
 }

@@ -7,6 +7,7 @@ extern "C" {
 #include <libavutil/pixdesc.h>
 }
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "ar/capture/pixel_format.h"
@@ -68,6 +69,12 @@ ConvertedFormat encoded_format(const SourceInfo& source, VideoCodec codec, Color
   }
   encoded.format = native_format(wanted);
   return encoded;
+}
+
+// A key frame a second, so that whoever was killed loses no more.
+int keyframe_distance(Rational frame_rate) {
+  constexpr int kUsual = 30;
+  return frame_rate.num > 0 ? std::max(1, frame_rate.num / std::max(1, frame_rate.den)) : kUsual;
 }
 
 }  // namespace
@@ -135,6 +142,10 @@ void Encoder::configure(const SourceInfo& source, const VideoSinkOptions& option
   } else {
     settings.set("preset", options.preset);
     settings.set("crf", std::to_string(options.crf));
+    if (options.live) {
+      settings.set("tune", "zerolatency");
+      c.gop_size = keyframe_distance(source.frame_rate);
+    }
   }
   if (options.codec == VideoCodec::Hevc) {
     std::string x265 = "log-level=error";

@@ -43,6 +43,10 @@ struct VideoSinkOptions {
   bool overwrite = false;
   bool copy_other_streams = true;  // audio and subtitles, from the source file
   int threads = 0;                 // of the encoder, 0: as many as the machine has
+  // For what is recorded as it happens: under the final name from its first second on (what is there already is lost
+  // then), in pieces that are playable by themselves, so that a killed process leaves all but the last second. No frame
+  // waits in the encoder for later ones.
+  bool live = false;
 };
 
 // A video file (.mp4, .m4v, .mov, .mkv) or PNG pictures: one ("still.png", takes one frame), or as many as come,
@@ -54,10 +58,10 @@ struct VideoSinkOptions {
 // it is made by hand: then `source.path` stays empty and `source.tags` unset; format (color included), time_base,
 // frame_rate and sample_aspect say what is written, and `source.recorded` becomes creation time and location.
 //
-// Everything is written beside the final name, under a hidden temporary one, and renamed by finish(). Destroyed without
-// finish(), it removes that; a killed process leaves it, and the final name as it was. When frames stop before the
-// source's end, or begin after its start, its sound is cut to match. Throws std::runtime_error: exists and not
-// overwrite (before anything is written), no such folder, unknown container, container or codec cannot hold it.
+// Unless `live`, everything is written beside the final name, under a hidden temporary one, and renamed by finish().
+// Destroyed without finish(), it removes that; a killed process leaves it, and the final name as it was. When frames
+// stop before the source's end, or begin after its start, its sound is cut to match. Throws std::runtime_error: exists
+// and not overwrite (before anything is written), no such folder, unknown container, container or codec cannot hold it.
 std::unique_ptr<FrameSink> make_file_sink(const std::filesystem::path& path, const SourceInfo& source,
                                           const VideoSinkOptions& options = {});
 

@@ -20,7 +20,8 @@ fs::path hidden_beside(const fs::path& final_path) {
 
 }  // namespace
 
-TemporaryPath::TemporaryPath(fs::path final_path) : final_(std::move(final_path)), temporary_(hidden_beside(final_)) {
+TemporaryPath::TemporaryPath(fs::path final_path, bool in_place)
+    : final_(std::move(final_path)), temporary_(in_place ? final_ : hidden_beside(final_)), committed_(in_place) {
   const fs::path folder = final_.has_parent_path() ? final_.parent_path() : fs::path(".");
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
@@ -40,6 +41,7 @@ TemporaryPath::~TemporaryPath() {
 }
 
 void TemporaryPath::commit() {
+  if (temporary_ == final_) return;
   std::error_code error;
   fs::rename(temporary_, final_, error);
   if (error) {

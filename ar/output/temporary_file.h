@@ -10,7 +10,8 @@ namespace ar {
 class TemporaryPath {
  public:
   // Throws std::runtime_error where the folder does not exist or cannot be written to.
-  explicit TemporaryPath(std::filesystem::path final_path);
+  // `in_place`: the final name itself from the start, which stays whatever happens.
+  explicit TemporaryPath(std::filesystem::path final_path, bool in_place = false);
   ~TemporaryPath();
   TemporaryPath(const TemporaryPath&) = delete;
   TemporaryPath& operator=(const TemporaryPath&) = delete;

@@ -19,6 +19,9 @@ bool keeps_timestamps(const AVOutputFormat& container) {
   return name == "mp4" || name == "mov" || name == "matroska" || name == "ipod";
 }
 
+// A killed recording loses at most its last piece. Key frames, with which the pieces of MP4 begin, come as often.
+constexpr int kPieceMs = 1000;
+
 AVRational to_av(Rational value) {
   return {value.num, value.den};
 }
@@ -26,7 +29,7 @@ AVRational to_av(Rational value) {
 }  // namespace
 
 VideoSink::VideoSink(const std::filesystem::path& path, const SourceInfo& source, const VideoSinkOptions& options)
-    : source_(source), file_(path), pool_(source.format) {
+    : source_(source), live_(options.live), file_(path, options.live), pool_(source.format) {
   ffmpeg::route_log();
   open_muxer();
   if (avformat_query_codec(muxer_->oformat, codec_id(options.codec), FF_COMPLIANCE_NORMAL) == 0) {
@@ -84,7 +87,14 @@ void VideoSink::tag_file() {
 void VideoSink::write_header() {
   check(avio_open(&muxer_->pb, ("file:" + file_.path().string()).c_str(), AVIO_FLAG_WRITE), "cannot create it");
   ffmpeg::Dictionary settings;
+  if (live_) {
+    // Other containers ignore what they do not know.
+    settings.set("movflags", "frag_keyframe+empty_moov+default_base_moof");
+    settings.set("cluster_time_limit", std::to_string(kPieceMs));
+    muxer_->flags |= AVFMT_FLAG_FLUSH_PACKETS;
+  }
   check(avformat_write_header(muxer_.get(), settings.out()), "cannot begin the file");
+  if (live_) avio_flush(muxer_->pb);
 }
 
 void VideoSink::check(int code, const char* what) const {

@@ -32,6 +32,7 @@ class VideoSink : public FrameSink {
   void check(int code, const char* what) const;
 
   SourceInfo source_;
+  bool live_;
   TemporaryPath file_;
   FramePool pool_;
   ffmpeg::MuxerPtr muxer_;

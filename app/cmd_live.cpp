@@ -1,0 +1,112 @@
+// skyshaft live: what a camera sees, with a sunlit scene over it, as it happens.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/live/live.h"
+#include "app/options/shafts.h"
+
+namespace app {
+namespace {
+
+struct LiveArguments {
+  LiveOptions options;
+  std::string size;
+  std::string shafts;
+  std::string codec = "h264";
+};
+
+void add_inputs(CLI::App& command, LiveArguments& arguments) {
+  LiveOptions& options = arguments.options;
+  command
+      .add_option("--source", options.source,
+                  "v4l2:/dev/video0, v4l2: (the first camera), libcamera:ID, libcamera: or file:CLIP, played once at "
+                  "its own rate as if a camera gave it")
+      ->required();
+  command.add_option("-s,--scene", options.scene, "Scene file (YAML)")->required();
+  command.add_option("-c,--camera", options.camera.file,
+                     "Camera file: OpenCV, ROS camera_info or Kalibr camchain; default: --fov, no distortion");
+  command
+      .add_option("--fov", options.camera.fov_deg,
+                  "Horizontal field of view, degrees, instead of a camera file; default: 62 along the longer side")
+      ->check(CLI::Range(1.0, 179.0))
+      ->excludes("--camera");
+  command.add_flag("--scale-camera", options.camera.scale,
+                   "Accept a camera file for another resolution of the same aspect");
+  command.add_option("--at", options.at, "LAT,LON[,HEIGHT]: degrees north, degrees east, metres; default: the scene's");
+  command.add_option("--time", options.time,
+                     "Time of the first frame, 2024-06-21T07:30:00Z or with an offset; default: scene, clip, now");
+  command
+      .add_option("--reconnect", options.feed.reconnect_for_s,
+                  "How long a camera that went away is waited for, seconds; 0: end with status 3; default: without end")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--duration", options.duration_s, "End after that many seconds; default: never")
+      ->check(CLI::PositiveNumber);
+}
+
+void add_outputs(CLI::App& command, LiveArguments& arguments) {
+  LiveOptions& options = arguments.options;
+  command.add_flag("--headless", options.headless, "No window; no display is needed");
+  command.add_option("--record", options.record,
+                     "Video file of what is shown (.mp4, .mkv, .mov), playable even when the program is killed");
+  command.add_option("--poses", options.poses, "CSV of the camera's pose in every tracked frame");
+  command.add_option("--report", options.report, "JSON of frame counts, latency and stage times");
+  command.add_flag("--overwrite", options.sink.overwrite, "Replace files that exist");
+  command.add_option("--codec", arguments.codec, "Of --record: h264, hevc or ffv1 (lossless, .mkv); default: h264")
+      ->check(CLI::IsMember({"h264", "hevc", "ffv1"}));
+  command.add_option("--crf", options.sink.crf, "Quality of h264 and hevc, 0 (best) to 51; default: 18")
+      ->check(CLI::Range(0, 51));
+  command
+      .add_option("--preset", options.sink.preset,
+                  "x264's and x265's preset, ultrafast ... veryslow; default: ultrafast")
+      ->check(CLI::IsMember(
+          {"ultrafast", "superfast", "veryfast", "faster", "fast", "medium", "slow", "slower", "veryslow"}));
+}
+
+void add_rendering(CLI::App& command, LiveArguments& arguments) {
+  command.add_option("--shafts", arguments.shafts, shafts_help());
+  command
+      .add_option("--target-ms", arguments.options.target_ms,
+                  "Time that drawing a frame may take, milliseconds: quality is given up until it is kept; 0: full "
+                  "quality, however long it takes; default: three quarters of the time between two frames")
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--egl-device", arguments.options.egl_device,
+                  "Number of the GL device as `skyshaft doctor` lists them; default: hardware first")
+      ->check(CLI::NonNegativeNumber);
+}
+
+ar::VideoCodec codec_of(const std::string& name) {
+  if (name == "hevc") return ar::VideoCodec::Hevc;
+  return name == "ffv1" ? ar::VideoCodec::Ffv1 : ar::VideoCodec::H264;
+}
+
+int run(LiveArguments arguments, bool quiet) {
+  LiveOptions& options = arguments.options;
+  if (!arguments.shafts.empty()) options.shafts = parse_shafts("--shafts", arguments.shafts);
+  options.sink.codec = codec_of(arguments.codec);
+  options.quiet = quiet;
+  return live(options);
+}
+
+}  // namespace
+
+void add_live_command(CLI::App& app, Program& program) {
+  CLI::App* command = app.add_subcommand("live", "Composite a scene, lit by the real sun and sky, over a camera");
+  auto arguments = std::make_shared<LiveArguments>();
+  arguments->options.sink.preset = "ultrafast";
+  add_inputs(*command, *arguments);
+  add_outputs(*command, *arguments);
+  add_rendering(*command, *arguments);
+  command->footer(
+      "The newest frame wins: what is late is dropped and counted, and what is drawn always has its own frame's pose.\n"
+      "Ctrl-C ends it and finalises the recording (status 130).\n\n"
+      "Examples:\n"
+      "  skyshaft live --source v4l2:/dev/video0 --scene garden.yaml --camera webcam.yaml --at 48.8584,2.2945\n"
+      "  skyshaft live --source file:walk.mp4 --scene garden.yaml --headless --record lit.mp4 --report live.json");
+  command->callback(
+      [arguments, &program] { program.action = [arguments, &program] { return run(*arguments, program.quiet); }; });
+}
+
+}  // namespace app

@@ -1,0 +1,163 @@
+#include "app/live/draw_stage.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+
+#include "app/bridge.h"
+#include "app/live/held_mark.h"
+#include "render/composite/composite_pass.h"
+
+namespace app {
+namespace {
+
+// An estimate of the exposure follows the camera's own slowly: each time that many frames later, by that part.
+constexpr std::int64_t kEstimateEvery = 15;
+constexpr double kEstimateStep = 0.3;
+constexpr int kMediumGrey = 110;
+
+struct Bounds {
+  glm::dvec3 low{1e9};
+  glm::dvec3 high{-1e9};
+};
+
+Bounds bounds_of_virtual_things(const SceneFile& scene) {
+  Bounds bounds;
+  for (const SceneThing& thing : scene.things) {
+    if (thing.real) continue;
+    const glm::dvec3 half = 0.5 * thing.scale * glm::dvec3(thing.model->bounds_max - thing.model->bounds_min);
+    bounds.low = glm::min(bounds.low, thing.position_in_world - half);
+    bounds.high = glm::max(bounds.high, thing.position_in_world + half);
+  }
+  if (bounds.low.x > bounds.high.x) return {glm::dvec3(-1.0), glm::dvec3(1.0)};
+  return bounds;
+}
+
+// From the south and a little above, far enough to have the virtual things fill most of the picture.
+ar::Rigid3 pose_with_all_in_view(const SceneFile& scene) {
+  const Bounds bounds = bounds_of_virtual_things(scene);
+  const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high);
+  const double distance = std::max(1.0, 1.2 * glm::length(bounds.high - bounds.low));
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(0.0, 1.0, -0.3));
+  const glm::dvec3 right(1.0, 0.0, 0.0);
+  const glm::dvec3 down = glm::cross(forward, right);
+  const glm::dvec3 eye = middle - distance * forward;
+  ar::Rigid3 pose;
+  for (int row = 0; row < 3; ++row) {
+    pose.rotation(row, 0) = right[row];
+    pose.rotation(row, 1) = down[row];
+    pose.rotation(row, 2) = forward[row];
+    pose.translation[row] = eye[row];
+  }
+  return pose;
+}
+
+ar::Frame as_source(const ar::OutputFrame& picture) {
+  ar::Frame frame;
+  frame.format = picture.format;
+  for (std::size_t p = 0; p < 3; ++p) {
+    frame.plane[p] = picture.plane[p];
+    frame.stride_bytes[p] = picture.stride_bytes[p];
+  }
+  frame.owner = picture.owner;
+  return frame;
+}
+
+void fill_grey(ar::OutputFrame& picture) {
+  for (std::size_t p = 0; p < 3; ++p) {
+    const bool halved = p > 0 && picture.format.chroma == ar::Chroma::C420;
+    const int rows = halved ? (picture.format.height + 1) / 2 : picture.format.height;
+    for (int y = 0; y < rows; ++y) {
+      std::memset(picture.plane[p] + y * picture.stride_bytes[p], picture.format.bit_depth == 8 ? kMediumGrey : 1,
+                  static_cast<std::size_t>(picture.stride_bytes[p]));
+    }
+  }
+}
+
+}  // namespace
+
+DrawStage::DrawStage(std::optional<int> egl_device, const ar::CameraModel& camera, const ar::SourceInfo& source,
+                     SceneFile scene, const Conditions& conditions, double target_ms)
+    : scene_(std::move(scene)),
+      pool_(source.format),
+      format_(source.format),
+      conditions_(conditions),
+      renderer_(egl_device, camera, SceneStateBuilder(scene_, conditions_), scene_.quality),
+      ladder_(quality_ladder(scene_.quality)),
+      governor_(ladder_.size(), target_ms) {}
+
+TrackedFrame DrawStage::imagined_frame() {
+  ar::OutputFrame picture = pool_.allocate();
+  fill_grey(picture);
+  TrackedFrame imagined{as_source(picture), {}};
+  imagined.track.state = ar::TrackState::Tracking;
+  imagined.track.world_from_camera = pose_with_all_in_view(scene_);
+  return imagined;
+}
+
+void DrawStage::warm_up() {
+  renderer_.set_exposure(1.0 / 20000.0);
+  constexpr int kRounds = 3;  // the first makes the shaders
+  std::size_t fits = ladder_.size() - 1;
+  for (std::size_t level = governor_.target_ms() > 0.0 ? ladder_.size() : 1; level-- > 0;) {
+    renderer_.set_quality(ladder_.at(level));
+    double quickest_ms = 1e9;
+    for (int round = 0; round < kRounds; ++round) {
+      const auto start = LiveClock::now();
+      renderer_.render(imagined_frame(), 0.0, [this] { return pool_.allocate(); });
+      quickest_ms = std::min(quickest_ms, milliseconds_between(start, LiveClock::now()));
+    }
+    spdlog::debug("quality level {}: {:.1f} ms a frame", level, quickest_ms);
+    if (quickest_ms <= governor_.target_ms()) fits = level;
+  }
+  governor_ = Governor(ladder_.size(), governor_.target_ms(), governor_.target_ms() > 0.0 ? fits : 0);
+  renderer_.set_quality(quality());
+}
+
+void DrawStage::choose_exposure(const ar::Frame& frame) {
+  const bool first = frames_++ == 0;
+  if (!first && frames_ % kEstimateEvery != 0) return;
+  const render::SceneState state = renderer_.light_at(frame.time_s - *start_s_);
+  const ExposureChoice now = ::app::choose_exposure(scene_.exposure, state, {&frame});
+  if (first) {
+    log_light(state);
+    spdlog::info("exposure: white at {:.0f} cd/m2, from {}", 1.0 / now.exposure, now.origin);
+    exposure_ = now;
+  } else {
+    exposure_.exposure *= std::pow(now.exposure / exposure_.exposure, kEstimateStep);
+  }
+  renderer_.set_exposure(exposure_.exposure);
+}
+
+ShownPicture DrawStage::draw(TrackedLiveFrame frame) {
+  const auto start = LiveClock::now();
+  const double time_s = frame.tracked.frame.time_s;
+  if (!start_s_) start_s_ = time_s;
+  choose_exposure(frame.tracked.frame);
+  FinishedFrame finished = renderer_.render(std::move(frame.tracked), *start_s_, [this] { return pool_.allocate(); });
+  if (finished.rendered) {
+    if (governor_.add(milliseconds_between(start, LiveClock::now()))) renderer_.set_quality(quality());
+  } else {
+    finished.rendered = pool_.allocate();
+    render::copy_picture(view_of(finished.source), view_of(*finished.rendered));
+  }
+  last_ = {.picture = std::move(*finished.rendered), .time_s = time_s, .held = false};
+  return *last_;
+}
+
+std::optional<ShownPicture> DrawStage::held() const {
+  if (!last_) return std::nullopt;
+  // What was shown may still be on its way into the recording: the mark goes onto a copy.
+  ar::FramePool pool(format_);
+  ShownPicture marked{.picture = pool.allocate(), .time_s = last_->time_s, .held = true};
+  const ar::Frame source = as_source(last_->picture);
+  render::copy_picture(view_of(source), view_of(marked.picture));
+  mark_as_held(marked.picture);
+  return marked;
+}
+
+}  // namespace app

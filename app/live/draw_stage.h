@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+
+#include "app/conditions.h"
+#include "app/live/governor.h"
+#include "app/live/live_frame.h"
+#include "app/process/exposure.h"
+#include "app/process/frame_renderer.h"
+#include "app/scene_file/scene_file.h"
+#include "ar/output/frame_pool.h"
+
+namespace app {
+
+// Draws the scene over tracked frames with the settings of the moment. Lives on the thread that made it.
+class DrawStage {
+ public:
+  // `target_ms` is what a frame may take, 0: whatever it takes.
+  DrawStage(std::optional<int> egl_device, const ar::CameraModel& camera, const ar::SourceInfo& source, SceneFile scene,
+            const Conditions& conditions, double target_ms);
+
+  // Draws pictures of nothing with every setting that the governor may choose, so that no shader is made while frames
+  // wait, and begins with the best that is fast enough.
+  void warm_up();
+
+  // The frame with the scene over it; as it is while its pose is not known.
+  ShownPicture draw(TrackedLiveFrame frame);
+  // The last picture with a mark on it that says that it stands still. Nothing before the first.
+  std::optional<ShownPicture> held() const;
+
+  const FrameRenderer& renderer() const { return renderer_; }
+  const ExposureChoice& exposure() const { return exposure_; }
+  const Governor& governor() const { return governor_; }
+  const render::Quality& quality() const { return ladder_.at(governor_.level()); }
+
+ private:
+  TrackedFrame imagined_frame();
+  void choose_exposure(const ar::Frame& frame);
+
+  const SceneFile scene_;
+  ar::FramePool pool_;
+  const ar::PixelFormat format_;
+  const Conditions conditions_;
+  FrameRenderer renderer_;
+  std::vector<render::Quality> ladder_;
+  Governor governor_;
+  ExposureChoice exposure_;
+  std::optional<double> start_s_;  // time of the first frame
+  std::int64_t frames_ = 0;
+  std::optional<ShownPicture> last_;
+};
+
+}  // namespace app

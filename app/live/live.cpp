@@ -1,0 +1,202 @@
+#include "app/live/live.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <string_view>
+
+#include "app/exit_status.h"
+#include "app/live/draw_stage.h"
+#include "app/live/live_report.h"
+#include "app/live/recorder.h"
+#include "app/live/track_stage.h"
+#include "app/output_files.h"
+#include "app/pipeline/interrupt.h"
+#include "app/pipeline/progress.h"
+#include "app/process/tracked_scene.h"
+#include "ar/capture/file_live_source.h"
+#include "ar/error.h"
+
+namespace app {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{20};
+// Part of the time between two frames that drawing may take: tracking and showing need some of it too.
+constexpr double kPartForDrawing = 0.75;
+constexpr double kUsualIntervalMs = 1000.0 / 30.0;
+
+std::unique_ptr<ar::LiveSource> open_source_of(const std::string& specification) {
+  constexpr std::string_view kFile = "file:";
+  if (specification.starts_with(kFile)) return ar::open_file_live_source(specification.substr(kFile.size()));
+  throw ar::InputError(fmt::format("found --source {}; accepted: file:CLIP", specification));
+}
+
+void check_outputs(const LiveOptions& options) {
+  if (options.record) check_may_write(*options.record, options.sink.overwrite);
+  if (options.poses) check_may_write(*options.poses, options.sink.overwrite);
+  if (options.report) check_may_write(*options.report, options.sink.overwrite);
+}
+
+// Where nobody says when it is, it is now.
+Conditions live_conditions(const LiveOptions& options, const SceneFile& scene, const ar::SourceInfo& source) {
+  Conditions conditions = resolve_conditions(options.at, options.time, scene, source.recorded);
+  if (!conditions.time) {
+    conditions.time = std::chrono::floor<std::chrono::microseconds>(std::chrono::system_clock::now());
+    conditions.time_origin = "the system clock";
+  }
+  log_conditions(conditions);
+  return conditions;
+}
+
+double target_ms(const LiveOptions& options, const SceneFile& scene, const ar::SourceInfo& source) {
+  if (options.target_ms) return *options.target_ms;
+  if (scene.quality.shaft_demand.target_ms) return *scene.quality.shaft_demand.target_ms;
+  const ar::Rational& rate = source.frame_rate;
+  const double interval_ms = rate.num > 0 ? 1000.0 * rate.den / rate.num : kUsualIntervalMs;
+  return kPartForDrawing * interval_ms;
+}
+
+std::unique_ptr<PosesCsv> make_poses(const LiveOptions& options) {
+  if (!options.poses) return nullptr;
+  return std::make_unique<PosesCsv>(*options.poses, options.sink.overwrite);
+}
+
+// One run of `live`: its stages and what they share. Drawing and showing are on the calling thread.
+class Session {
+ public:
+  explicit Session(const LiveOptions& options);
+  int run();
+
+ private:
+  bool goes_on() const;
+  void show(TrackedLiveFrame frame);
+  void show_held();
+  void note_times(const ShownPicture& shown, LiveClock::time_point arrived, LiveClock::time_point drawn);
+  void finish();
+  void say_how_it_went() const;
+
+  const LiveOptions& options_;
+  const InterruptGuard interrupt_;
+  const SceneFile scene_;
+  LiveFeed feed_;
+  const ar::CameraModel camera_;
+  DrawStage drawing_;
+  TrackStage tracking_;
+  std::unique_ptr<Recorder> recorder_;
+  LiveFacts facts_;
+  std::optional<LiveClock::time_point> first_shown_;
+  LiveClock::time_point last_shown_;
+};
+
+Session::Session(const LiveOptions& options)
+    : options_(options),
+      scene_(load_tracked_scene(options.scene, options.shafts)),
+      feed_(
+          open_source_of(options.source), [](const std::string& identity) { return open_source_of(identity); },
+          options.feed),
+      camera_(choose_camera(options.camera, feed_.info())),
+      drawing_(options.egl_device, camera_, feed_.info(), scene_, live_conditions(options, scene_, feed_.info()),
+               target_ms(options, scene_, feed_.info())),
+      tracking_(feed_, camera_, *scene_.tags, make_poses(options)) {
+  if (options.record) recorder_ = std::make_unique<Recorder>(*options.record, feed_.info(), options.sink);
+}
+
+bool Session::goes_on() const {
+  if (InterruptGuard::requested() || tracking_.over()) return false;
+  if (!options_.duration_s || !first_shown_) return true;
+  return milliseconds_between(*first_shown_, LiveClock::now()) < 1e3 * *options_.duration_s;
+}
+
+int Session::run() {
+  drawing_.warm_up();
+  feed_.start();
+  tracking_.start();
+  {
+    Progress progress(std::nullopt, options_.quiet);
+    while (goes_on()) {
+      if (auto frame = tracking_.take(kPatience)) {
+        show(std::move(*frame));
+        progress.update(facts_.presented);
+      } else if (!feed_.lost().empty()) {
+        show_held();
+      }
+    }
+  }
+  facts_.interrupted = InterruptGuard::requested();
+  finish();
+  if (feed_.gave_up()) {
+    throw ar::InputError(fmt::format(
+        "{}: lost, and not back in time: {}\nconnect it again; --reconnect SECONDS says how long to wait for it",
+        feed_.info().name, feed_.lost()));
+  }
+  return facts_.interrupted ? kInterrupted : kDone;
+}
+
+void Session::show(TrackedLiveFrame frame) {
+  facts_.times.track.add(frame.track_ms);
+  const LiveClock::time_point arrived = frame.arrived;
+  const LiveClock::time_point start = LiveClock::now();
+  const ShownPicture shown = drawing_.draw(std::move(frame));
+  const LiveClock::time_point drawn = LiveClock::now();
+  facts_.times.draw.add(milliseconds_between(start, drawn));
+  if (recorder_) recorder_->show(shown);
+  note_times(shown, arrived, drawn);
+}
+
+void Session::note_times(const ShownPicture& shown, LiveClock::time_point arrived, LiveClock::time_point drawn) {
+  const LiveClock::time_point now = LiveClock::now();
+  facts_.times.present.add(milliseconds_between(drawn, now));
+  facts_.times.latency.add(age_ms(shown.time_s, now));
+  facts_.times.pipeline.add(milliseconds_between(arrived, now));
+  if (first_shown_) facts_.times.interval.add(milliseconds_between(last_shown_, now));
+  if (!first_shown_) first_shown_ = now;
+  last_shown_ = now;
+  ++facts_.presented;
+}
+
+void Session::show_held() {
+  const auto held = drawing_.held();
+  if (!held) return;
+  ++facts_.held;
+  if (recorder_) recorder_->show(*held);
+}
+
+void Session::finish() {
+  feed_.stop();
+  tracking_.finish();
+  if (recorder_) {
+    recorder_->finish();
+    facts_.recorded = recorder_->recorded();
+    facts_.left_out = recorder_->left_out();
+  }
+  facts_.feed = feed_.counts();
+  facts_.tracked = tracking_.counts();
+  facts_.stale_tracked = tracking_.stale();
+  if (first_shown_) facts_.wall_s = milliseconds_between(*first_shown_, last_shown_) / 1e3;
+  if (options_.report) write_live_report(*options_.report, feed_.info(), facts_, drawing_);
+  say_how_it_went();
+}
+
+void Session::say_how_it_went() const {
+  const LiveTimes& times = facts_.times;
+  spdlog::info("{} frames shown in {:.1f} s, {:.1f} a second, {} dropped; {} tracking, {} predicted, {} lost",
+               facts_.presented, facts_.wall_s, facts_.per_second(), facts_.dropped(), facts_.tracked.tracking,
+               facts_.tracked.predicted, facts_.tracked.lost);
+  spdlog::info("latency {:.1f} ms (99 %: {:.1f}), of it in the program {:.1f} (99 %: {:.1f}), drawing {:.1f}",
+               times.latency.percentile_ms(0.5), times.latency.percentile_ms(0.99), times.pipeline.percentile_ms(0.5),
+               times.pipeline.percentile_ms(0.99), times.draw.percentile_ms(0.5));
+  if (facts_.left_out > 0) {
+    spdlog::warn("{} frames are not in the recording: the encoder could not keep up\ntry --preset ultrafast, or --crf",
+                 facts_.left_out);
+  }
+}
+
+}  // namespace
+
+int live(const LiveOptions& options) {
+  check_outputs(options);
+  return Session(options).run();
+}
+
+}  // namespace app
