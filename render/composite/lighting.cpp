@@ -16,9 +16,7 @@ Lighting lighting_of(const SceneState& scene) {
   light.sun_illuminance = glm::vec3(scene.sun.illuminance_rgb * scene.exposure);
   light.sun_disc_slope = static_cast<float>(std::tan(scene.sun.angular_radius_rad));
   for (std::size_t i = 0; i < 9; ++i) {
-    const glm::dvec3 exposed = scene.sky_light.radiance_sh[i] * scene.exposure;
-    light.sky_radiance_sh[i] = glm::vec3(exposed);
-    light.sky_irradiance_sh[i] = glm::vec3(exposed * kCosine[i]);
+    light.sky_irradiance_sh[i] = glm::vec3(scene.sky_light.radiance_sh[i] * (scene.exposure * kCosine[i]));
   }
   const glm::dvec3 level = scene.sky_light.horizontal_illuminance_rgb +
                            scene.sun.illuminance_rgb * std::max(scene.sun.direction_in_world.z, 0.0);
@@ -31,7 +29,6 @@ void Lighting::set(const gl::Program& program) const {
   program.set("sun_direction_in_local", sun_direction);
   program.set("sun_illuminance", sun_illuminance);
   program.set("sun_disc_slope", sun_disc_slope);
-  program.set("sky_radiance_sh", sky_radiance_sh.data(), 9);
   program.set("sky_irradiance_sh", sky_irradiance_sh.data(), 9);
   program.set("white_luminance", white_luminance);
 }

@@ -6,13 +6,15 @@
 
 #include "render/composite/lighting.h"
 #include "render/composite/object_targets.h"
+#include "render/composite/sky_mirror.h"
 #include "render/composite/surface_programs.h"
 #include "render/composite/touched_rect.h"
 
 namespace render {
 namespace {
 
-constexpr int kLightUnit = 5;       // and its marks 6
+constexpr int kLightUnit = 5;  // and its marks 6
+constexpr int kMirrorUnit = 7;
 constexpr int kVirtualMapUnit = 8;  // and 9; its bounds 10
 constexpr int kRealMapUnit = 11;    // and 12; its bounds 13
 
@@ -64,6 +66,7 @@ struct ObjectsPass::Impl {
   const View* view = nullptr;
   const SunShadow* shadow = nullptr;
   Lighting lighting;
+  SkyMirror sky_mirror;
   SurfacePrograms::Casts casts;
 
   explicit Impl(int sample_count) : samples(sample_count > 1 ? sample_count : 0) {}
@@ -158,7 +161,10 @@ struct ObjectsPass::Impl {
       const gl::Program& program = programs.virtual_surface(use, draw.material(), draw.textures(), casts);
       program.use();
       SurfacePrograms::set_material(program, draw.material(), draw.textures());
-      if (use != SurfacePrograms::Use::Depth) set_light(program);
+      if (use != SurfacePrograms::Use::Depth) {
+        set_light(program);
+        sky_mirror.bind(program, kMirrorUnit);
+      }
       if (use == SurfacePrograms::Use::SmoothEdges) {
         program.set("shaded", kLightUnit);
         program.set("marks", kLightUnit + 1);
@@ -288,6 +294,7 @@ const ObjectsPicture& ObjectsPass::draw(const SceneState& scene, const View& vie
   impl_->view = &view;
   impl_->shadow = &shadow;
   impl_->lighting = lighting_of(scene);
+  impl_->sky_mirror.update(scene);
   const bool sun = impl_->lighting.sun_shines();
   impl_->casts = {.virtual_casters = sun && !shadow.map(Casters::Virtual).fit.empty,
                   .real_casters = sun && !shadow.map(Casters::Real).fit.empty};

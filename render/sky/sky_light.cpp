@@ -47,11 +47,11 @@ SkyLight sky_light(const SkyModel& sky, const glm::dvec3& sun_horizontal_illumin
     add_to_sh(light.radiance_sh, sample.direction_in_world, radiance, sample.solid_angle_sr);
     light.horizontal_illuminance_rgb += radiance * (sample.direction_in_world.z * sample.solid_angle_sr);
   }
-  const glm::dvec3 ground =
+  light.ground_luminance_rgb =
       (light.horizontal_illuminance_rgb + sun_horizontal_illuminance_rgb) * (ground_albedo / std::numbers::pi);
   for (const SolidAngleSample& sample : upper_hemisphere()) {
     const glm::dvec3& up = sample.direction_in_world;
-    add_to_sh(light.radiance_sh, {up.x, up.y, -up.z}, ground, sample.solid_angle_sr);
+    add_to_sh(light.radiance_sh, {up.x, up.y, -up.z}, light.ground_luminance_rgb, sample.solid_angle_sr);
   }
   return light;
 }

@@ -20,6 +20,7 @@ void add_to_sh(Sh9& radiance_sh, const glm::dvec3& direction_in_world, const glm
 struct SkyLight {
   Sh9 radiance_sh{};                           // luminance_rgb of sky and of the ground below the horizon
   glm::dvec3 horizontal_illuminance_rgb{0.0};  // lux on open level ground from the sky alone
+  glm::dvec3 ground_luminance_rgb{0.0};        // cd/m2, of the ground below the horizon
 };
 
 // Projects `sky` over the sphere. Below the horizon stands the light that ground of that `ground_albedo` returns

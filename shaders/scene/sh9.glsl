@@ -9,13 +9,3 @@ vec3 sh9(vec3 c[9], vec3 direction) {
          1.092548 * (x * y * c[4] + y * z * c[5] + x * z * c[7]) + 0.315392 * (3.0 * z * z - 1.0) * c[6] +
          0.546274 * (x * x - y * y) * c[8];
 }
-
-// The same with bands 1 and 2 scaled: what a lobe that is not sharp leaves of them.
-vec3 sh9_blurred(vec3 c[9], vec3 direction, float band1, float band2) {
-  float x = direction.x;
-  float y = direction.y;
-  float z = direction.z;
-  return 0.282095 * c[0] + band1 * 0.488603 * (y * c[1] + z * c[2] + x * c[3]) +
-         band2 * (1.092548 * (x * y * c[4] + y * z * c[5] + x * z * c[7]) + 0.315392 * (3.0 * z * z - 1.0) * c[6] +
-                  0.546274 * (x * x - y * y) * c[8]);
-}

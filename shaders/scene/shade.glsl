@@ -1,4 +1,5 @@
-// Light that a virtual surface sends to the eye: sun (GGX + Lambert), sky (spherical harmonics), emission. glTF 2.0's
+// Light that a virtual surface sends to the eye: sun (GGX + Lambert), sky (spherical harmonics for
+// the dull part, a prefiltered cube for the mirrored one), emission. glTF 2.0's
 // metallic-roughness material, appendix B.
 #include "shadow/sun_map.glsl"
 #include "scene/sh9.glsl"
@@ -7,7 +8,9 @@
 uniform vec3 sun_direction_in_local;
 uniform vec3 sun_illuminance;       // pre-exposed
 uniform vec3 sky_irradiance_sh[9];  // pre-exposed, cosine-convolved
-uniform vec3 sky_radiance_sh[9];    // pre-exposed
+uniform mediump samplerCube sky_mirror;  // what surfaces mirror, roughness rising evenly from level to level
+uniform float sky_mirror_unit;           // pre-exposed luminance of its 1.0
+uniform float sky_mirror_last_level;
 uniform float white_luminance;      // of level white paper in this light, pre-exposed
 
 uniform vec4 base_color;
@@ -112,9 +115,8 @@ vec4 shade() {
   light += kThinTransmission * diffuse_albedo * sun * back;
   sky = mix(sky, sky_behind, kThinTransmission);
 #endif
-  // Bands of the sky that a lobe of that width leaves over.
   vec3 mirrored = reflect(-to_eye, n);
-  vec3 reflected = max(sh9_blurred(sky_radiance_sh, mirrored, exp(-0.5 * a), exp(-1.5 * a)), vec3(0.0));
+  vec3 reflected = textureLod(sky_mirror, mirrored, rough * sky_mirror_last_level).rgb * sky_mirror_unit;
   light += occlusion * (diffuse_albedo * sky + environment_brdf(f0, rough, n_v) * reflected);
 
   vec3 glow = emissive;
