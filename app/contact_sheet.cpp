@@ -58,10 +58,11 @@ render::Image thumbnail(const ar::Frame& frame, int width) {
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       double code[3];
-      for (std::size_t plane = 0; plane < 3; ++plane)
+      for (std::size_t plane = 0; plane < 3; ++plane) {
         code[plane] =
             mean_sample(frame, plane, static_cast<double>(x) / image.width, static_cast<double>(y) / image.height,
                         (x + 1.0) / image.width, (y + 1.0) / image.height);
+      }
       const double luma = limited ? (code[0] - 16.0 / 255.0) * scale : code[0];
       if (color.matrix == ar::ColorMatrix::Rgb) {  // planes G, B, R
         const double blue = limited ? (code[1] - 16.0 / 255.0) * scale : code[1];

@@ -37,8 +37,8 @@ std::optional<double> parse_number(const std::string& text) {
 
 }  // namespace
 
-YamlValue::YamlValue(YAML::Node node, std::filesystem::path file, std::string key)
-    : node_(std::move(node)), file_(std::move(file)), key_(std::move(key)) {}
+YamlValue::YamlValue(const YAML::Node& node, std::filesystem::path file, std::string key)
+    : node_(node), file_(std::move(file)), key_(std::move(key)) {}
 
 YamlValue YamlValue::load(const std::filesystem::path& file, const std::string& what) {
   const std::string text = read_whole(file, what);

@@ -51,7 +51,7 @@ class YamlValue {
 
  private:
   friend class YamlMap;
-  YamlValue(YAML::Node node, std::filesystem::path file, std::string key);
+  YamlValue(const YAML::Node& node, std::filesystem::path file, std::string key);
   YamlValue child(const YAML::Node& node, const std::string& key) const;
   double finite_number(const std::string& accepted) const;
   std::string found() const;

@@ -66,9 +66,10 @@ void Backdrop::bake_sky(const Spec& spec, const Light& light) {
   sky_.resize(static_cast<std::size_t>(kSkyWidth) * kSkyHeight);
   parallel_for(kSkyHeight, [&](int y) {
     const float elevation = std::max(0.5F * kPi * static_cast<float>(y) / (kSkyHeight - 1), 0.008F);
-    for (int x = 0; x < kSkyWidth; ++x)
+    for (int x = 0; x < kSkyWidth; ++x) {
       sky_[static_cast<std::size_t>(y * kSkyWidth + x)] =
           light.sky_luminance(direction_of(2.0F * kPi * static_cast<float>(x) / kSkyWidth, elevation));
+    }
   });
   if (!spec.horizon && spec.clouds <= 0.0) return;  // the coarse sky says it all
   panorama_.resize(static_cast<std::size_t>(kWidth) * kHeight);

@@ -143,10 +143,12 @@ void RayCaster::render_tile(const Shot& shot, int tile_x, int tile_y, LinearFram
   constexpr float kNearestM = 0.5F;  // things nearer than that are looked at anyway, by their own radius
   world_.candidates(shot.eye[middle], std::isfinite(axis.x) ? axis : glm::vec3(0.0F, 0.0F, 1.0F),
                     half_angle + shot.reach_rad + shot.reach_m / kNearestM + 1e-3F, among);
-  for (int y = y0; y < y1; ++y)
-    for (int x = x0; x < x1; ++x)
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
       out.rgb[static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) + static_cast<std::size_t>(x)] =
           pixel(shot, x, y, among);
+    }
+  }
 }
 
 Radiance RayCaster::sample(const Shot& shot, float u, float v, std::size_t time_slice, const RayFilter& filter,

@@ -1,6 +1,7 @@
 #include "app/synth/texture.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/synth/noise.h"
 #include "app/synth/parallel.h"
@@ -12,7 +13,7 @@ namespace {
 constexpr float kMaxSlope = 1.6F;
 
 std::uint8_t byte(float x) {
-  return static_cast<std::uint8_t>(std::clamp(x, 0.0F, 1.0F) * 255.0F + 0.5F);
+  return static_cast<std::uint8_t>(std::lround(std::clamp(x, 0.0F, 1.0F) * 255.0F));
 }
 
 SurfacePoint mean(const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c, const SurfacePoint& d) {

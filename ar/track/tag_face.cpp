@@ -72,9 +72,10 @@ TagFace make_tag_face(const std::string& family, int id, double size_m) {
   face.cell_m = size_m / code->width_at_border;
   face.white.assign(static_cast<std::size_t>(face.cells) * static_cast<std::size_t>(face.cells), 1);
   for (int y = 0; y < image->height; ++y) {
-    for (int x = 0; x < image->width; ++x)
+    for (int x = 0; x < image->width; ++x) {
       face.white[static_cast<std::size_t>((y + 1) * face.cells + x + 1)] =
           image->buf[y * image->stride + x] > 127 ? 1 : 0;
+    }
   }
   return face;
 }

@@ -65,12 +65,14 @@ void add_sprig(render::Mesh& leaves, Random& random, const glm::vec3& foot, cons
   glm::vec3 facing = outward + 0.50F * random.on_sphere() + 0.45F * kUp;
   facing = glm::normalize(facing - along * glm::dot(facing, along));
   const std::uint32_t quarter = random.below(4);
+  const std::uint32_t column = quarter % 2;
+  const std::uint32_t row = quarter / 2;
   leaf_card(leaves, {foot,
                      along,
                      facing,
                      outward,
                      random.uniform(0.135F, 0.20F),
-                     {0.5F * static_cast<float>(quarter % 2), 0.5F * static_cast<float>(quarter / 2)},
+                     {0.5F * static_cast<float>(column), 0.5F * static_cast<float>(row)},
                      0.5F});
 }
 

@@ -288,7 +288,9 @@ render::Image leaf_texture() {
   constexpr int kSize = 512;
   render::Image image = blank(kSize, kSize);
   for (std::uint32_t i = 0; i < 4; ++i) {
-    const glm::vec2 corner(static_cast<float>(i % 2) * kSize / 2, static_cast<float>(i / 2) * kSize / 2);
+    const std::uint32_t column = i % 2;
+    const std::uint32_t row = i / 2;
+    const glm::vec2 corner(static_cast<float>(column) * kSize / 2, static_cast<float>(row) * kSize / 2);
     paint_sprig(image, corner, kSize / 2.0F, 200 + 31 * i);
   }
   bleed_colors(image);

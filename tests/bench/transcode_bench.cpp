@@ -51,19 +51,21 @@ Run parse(const std::vector<std::string>& arguments) {
     }
     if (i + 1 == arguments.size()) throw std::invalid_argument(word + " needs a value");
     const std::string& value = arguments[++i];
-    if (word == "--codec")
+    if (word == "--codec") {
       run.sink.codec = codec_of(value);
-    else if (word == "--preset")
+    } else if (word == "--preset") {
       run.sink.preset = value;
-    else if (word == "--crf")
+    } else if (word == "--crf") {
       run.sink.crf = std::stoi(value);
-    else if (word == "--threads")
+    } else if (word == "--threads") {
       run.threads = run.sink.threads = std::stoi(value);
-    else
+    } else {
       throw std::invalid_argument("unknown option " + word);
+    }
   }
-  if (run.in.empty())
+  if (run.in.empty()) {
     throw std::invalid_argument("usage: transcode_bench IN [OUT] [--codec C] [--preset P] [--crf N] [--threads N]");
+  }
   return run;
 }
 

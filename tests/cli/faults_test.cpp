@@ -168,9 +168,10 @@ TEST_F(Faults, AnOutputFolderThatDoesNotExistIsNamed) {
 TEST_F(Faults, AFullDiskLeavesAnEarlierOutputAndNothingElse) {
   const std::string clip = plain_clip(200);
   folder_.write("out.mp4", "precious");
-  const Result result = run({"bash", "-c", "trap '' XFSZ; ulimit -f 16; exec \"$@\"", "bash",
-                             SKYSHAFT_BINARY_DIR "/skyshaft", "process", clip, "-o", folder_.path("out.mp4"), "--scene",
-                             scene_, "--overwrite", "--crf", "0", "--preset", "ultrafast"});
+  const std::string skyshaft = SKYSHAFT_BINARY_DIR "/skyshaft";
+  const Result result =
+      run({"bash", "-c", "trap '' XFSZ; ulimit -f 16; exec \"$@\"", "bash", skyshaft, "process", clip, "-o",
+           folder_.path("out.mp4"), "--scene", scene_, "--overwrite", "--crf", "0", "--preset", "ultrafast"});
   EXPECT_EQ(result.status, 1) << result.err;
   EXPECT_THAT(result.err, HasSubstr("out.mp4"));
   EXPECT_EQ(std::filesystem::file_size(folder_.path("out.mp4")), 8U);

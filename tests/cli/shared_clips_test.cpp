@@ -16,7 +16,7 @@ std::string shared(const std::string& name) {
 }
 
 #define NEEDS(file) \
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here"
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << (file) << " is not here"
 
 std::vector<std::int64_t> timestamps(const std::string& file) {
   std::vector<std::int64_t> pts;

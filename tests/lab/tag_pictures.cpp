@@ -92,7 +92,9 @@ cv::Mat draw_tags(const CameraModel& camera, const std::vector<TagPicture>& tags
     for (int x = box.x; x < box.br().x; ++x) {
       double sum = 0.0;
       for (int s = 0; s < samples * samples; ++s) {
-        const cv::Point2d pixel(x - 0.5 + (s % samples + 0.5) / samples, y - 0.5 + (s / samples + 0.5) / samples);
+        const int column = s % samples;
+        const int row = s / samples;
+        const cv::Point2d pixel(x - 0.5 + (column + 0.5) / samples, y - 0.5 + (row + 0.5) / samples);
         const auto ideal = lens.ideal_from_pixel(pixel);
         double grey = 130.0;
         for (std::size_t i = 0; ideal && i < tags.size(); ++i) {

@@ -164,7 +164,11 @@ TEST(EstimatePose, AFarSquaresOtherPoseIsToldAndTheNearOneWins) {
 
 TEST(EstimatePose, AThousandTagsInOnePicture) {
   TagMap map;
-  for (int i = 0; i < 1000; ++i) map.tags[i] = {flat_tag({0.1 * (i % 40) - 2.0, 0.1 * (i / 40) - 1.2, 0.0}, 0.0), 0.07};
+  for (int i = 0; i < 1000; ++i) {
+    const int column = i % 40;
+    const int row = i / 40;
+    map.tags[i] = {flat_tag({0.1 * column - 2.0, 0.1 * row - 1.2, 0.0}, 0.0), 0.07};
+  }
   std::mt19937 random(8);
   const Rigid3 truth = looking_at({0.1, -1.5, 4.0}, {0.0, 0.0, 0.0});
   const auto seen = seen_from(hd_camera(), map, truth, kNoisePx, random);
