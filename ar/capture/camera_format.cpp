@@ -162,6 +162,10 @@ void tag_colors(const v4l2_pix_format& described, AVFrame& picture) {
   picture.color_primaries = primaries_of(colorspace);
   picture.color_trc = transfer_of(transfer);
   picture.colorspace = rgb ? AVCOL_SPC_RGB : matrix_of(encoding);
+  // Sensors without colour give their whole range, and vivid does so too, whatever the default says.
+  if (picture.format == AV_PIX_FMT_GRAY8 && described.quantization == V4L2_QUANTIZATION_DEFAULT) {
+    range = V4L2_QUANTIZATION_FULL_RANGE;
+  }
   if (range == V4L2_QUANTIZATION_FULL_RANGE) picture.color_range = AVCOL_RANGE_JPEG;
   if (range == V4L2_QUANTIZATION_LIM_RANGE) picture.color_range = AVCOL_RANGE_MPEG;
 }
