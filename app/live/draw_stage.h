@@ -19,6 +19,9 @@ class DrawStage {
   DrawStage(std::optional<int> egl_device, const ar::CameraModel& camera, const ar::SourceInfo& source, SceneFile scene,
             const Conditions& conditions, double target_ms);
 
+  // Measures the passes of some frames.
+  void enable_timing(bool on) { renderer_.enable_timing(on); }
+
   // Draws pictures of nothing with every setting that the governor may choose, so that no shader is made while frames
   // wait, and begins with the best that is fast enough.
   void warm_up();

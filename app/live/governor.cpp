@@ -20,7 +20,8 @@ std::vector<render::Quality> quality_ladder(const render::Quality& asked) {
   std::vector<render::Quality> ladder{asked};
   render::Quality next = asked;
   next.anti_alias = false;
-  if (asked.anti_alias) ladder.push_back(next);
+  next.quick_shadows = true;
+  ladder.push_back(next);
   for (const double part : {0.7, 0.5, 0.35, 0.25}) {
     next.render_scale = asked.render_scale * part;
     ladder.push_back(next);

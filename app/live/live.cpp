@@ -99,6 +99,7 @@ Session::Session(const LiveOptions& options)
       drawing_(options.egl_device, camera_, feed_.info(), scene_, live_conditions(options, scene_, feed_.info()),
                target_ms(options, scene_, feed_.info())),
       tracking_(feed_, camera_, *scene_.tags, make_poses(options)) {
+  drawing_.enable_timing(options.report.has_value());
   if (options.record) recorder_ = std::make_unique<Recorder>(*options.record, feed_.info(), options.sink);
 }
 

@@ -48,8 +48,9 @@ double LiveFacts::per_second() const {
 void write_live_report(const std::filesystem::path& path, const ar::SourceInfo& source, const LiveFacts& facts,
                        const DrawStage& drawing) {
   Json passes = Json::array();
+  const auto cpu_ms = drawing.renderer().median_pass_cpu_ms();
   for (const auto& [name, median_ms] : drawing.renderer().median_pass_ms()) {
-    passes.push_back({{"name", name}, {"median_ms", median_ms}});
+    passes.push_back({{"name", name}, {"median_ms", median_ms}, {"median_cpu_ms", cpu_ms.at(passes.size()).second}});
   }
   const LiveTimes& times = facts.times;
   const Json report = {

@@ -35,20 +35,27 @@ FinishedFrame FrameRenderer::render(TrackedFrame tracked, double start_s,
   ar::OutputFrame rendered = allocate();
   renderer_.composite(state, plan_, view_of(frame), view_of(rendered));
   if (timed) {
-    for (const render::PassTime& pass : renderer_.pass_times()) note_pass(pass.name, pass.wall_ms);
+    for (const render::PassTime& pass : renderer_.pass_times()) note_pass(pass);
   }
   return {std::move(frame), std::move(rendered)};
 }
 
-void FrameRenderer::note_pass(const std::string& name, double wall_ms) {
-  auto found = std::find_if(pass_ms_.begin(), pass_ms_.end(), [&](const auto& pass) { return pass.first == name; });
-  if (found == pass_ms_.end()) found = pass_ms_.insert(pass_ms_.end(), {name, {}});
-  found->second.push_back(wall_ms);
+void FrameRenderer::note_pass(const render::PassTime& pass) {
+  auto found = std::ranges::find(pass_times_, pass.name, &PassTimes::name);
+  if (found == pass_times_.end()) found = pass_times_.insert(pass_times_.end(), {pass.name, {}, {}});
+  found->wall_ms.push_back(pass.wall_ms);
+  found->cpu_ms.push_back(pass.cpu_ms);
 }
 
 std::vector<std::pair<std::string, double>> FrameRenderer::median_pass_ms() const {
   std::vector<std::pair<std::string, double>> medians;
-  for (const auto& [name, times_ms] : pass_ms_) medians.emplace_back(name, median(times_ms));
+  for (const PassTimes& pass : pass_times_) medians.emplace_back(pass.name, median(pass.wall_ms));
+  return medians;
+}
+
+std::vector<std::pair<std::string, double>> FrameRenderer::median_pass_cpu_ms() const {
+  std::vector<std::pair<std::string, double>> medians;
+  for (const PassTimes& pass : pass_times_) medians.emplace_back(pass.name, median(pass.cpu_ms));
   return medians;
 }
 

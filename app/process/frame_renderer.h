@@ -39,9 +39,16 @@ class FrameRenderer {
   const render::Plan& last_plan() const { return plan_; }
   // In the order in which they run.
   std::vector<std::pair<std::string, double>> median_pass_ms() const;
+  std::vector<std::pair<std::string, double>> median_pass_cpu_ms() const;
 
  private:
-  void note_pass(const std::string& name, double wall_ms);
+  struct PassTimes {
+    std::string name;
+    std::vector<double> wall_ms;
+    std::vector<double> cpu_ms;
+  };
+
+  void note_pass(const render::PassTime& pass);
 
   render::gl::Context context_;
   render::Renderer renderer_;
@@ -52,7 +59,7 @@ class FrameRenderer {
   bool timing_ = false;
   render::Plan plan_;
   std::int64_t rendered_ = 0;
-  std::vector<std::pair<std::string, std::vector<double>>> pass_ms_;
+  std::vector<PassTimes> pass_times_;
 };
 
 }  // namespace app

@@ -55,14 +55,14 @@ glm::dvec2 centre_resolution(const LensMap& map) {
   return density;
 }
 
-View lens_view(const LensMap& map) {
+View lens_view(const LensMap& map, double scale) {
   const Bounds bounds = ideal_bounds(map);
   if (bounds.cut) {
     spdlog::warn("the lens sees more than {:.0f} degrees off its axis; nothing virtual is drawn farther out",
                  kWidestOffAxisRad * 180.0 / 3.14159265358979);
   }
   const glm::dvec2 extent = bounds.max - bounds.min;
-  glm::dvec2 focal = centre_resolution(map);
+  glm::dvec2 focal = scale * centre_resolution(map);
   const glm::dvec2 wanted = extent * focal + 2.0;
   const double shrink = std::min(1.0, (kLargestIdealPx - 2.0) / std::max(wanted.x, wanted.y));
   if (shrink < 1.0) spdlog::info("virtual things are drawn at {:.2f} of the picture's centre resolution", shrink);
@@ -75,15 +75,26 @@ View lens_view(const LensMap& map) {
   return view;
 }
 
+// Whole pixels; what that rounds, both axes' resolutions take up, so that it shows exactly what the large one shows.
+View scaled_view(View view, double scale) {
+  const glm::dvec2 size(view.width, view.height);
+  view.width = std::max(2, static_cast<int>(std::lround(size.x * scale)));
+  view.height = std::max(2, static_cast<int>(std::lround(size.y * scale)));
+  const glm::dvec2 factor = glm::dvec2(view.width, view.height) / size;
+  view.focal_px *= factor;
+  view.centre_px *= factor;
+  return view;
+}
+
 }  // namespace
 
-View ideal_view(const Camera& camera) {
-  if (!camera.lens) return pinhole_view(camera);
+View ideal_view(const Camera& camera, double scale) {
+  if (!camera.lens) return scale < 1.0 ? scaled_view(pinhole_view(camera), scale) : pinhole_view(camera);
   if (camera.lens->width != camera.width || camera.lens->height != camera.height) {
     throw std::runtime_error(fmt::format("the lens map is {} x {} pixels, the picture {} x {}", camera.lens->width,
                                          camera.lens->height, camera.width, camera.height));
   }
-  View view = lens_view(*camera.lens);
+  View view = lens_view(*camera.lens, scale);
   look_from(camera, view);
   return view;
 }

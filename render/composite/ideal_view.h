@@ -16,8 +16,9 @@ inline constexpr double kWidestOffAxisRad = 1.3962634015954636;  // 80 degrees
 // covers all ideal coordinates of the lens map (up to kWidestOffAxisRad, logged) with the same resolution in the
 // centre, at most `kLargestIdealPx` wide and high. Throws std::runtime_error where the map has no finite pixel or
 // another size than the camera.
+// `scale` in (0, 1]: that much smaller.
 inline constexpr int kLargestIdealPx = 4096;
-View ideal_view(const Camera& camera);
+View ideal_view(const Camera& camera, double scale = 1.0);
 
 // Moves a view to the camera's pose and keeps its picture geometry.
 void look_from(const Camera& camera, View& view);

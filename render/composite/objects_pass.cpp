@@ -69,7 +69,7 @@ struct ObjectsPass::Impl {
   SkyMirror sky_mirror;
   SurfacePrograms::Casts casts;
 
-  explicit Impl(int sample_count) : samples(sample_count > 1 ? sample_count : 0) {}
+  Impl(int sample_count, bool quick_shadows) : samples(sample_count > 1 ? sample_count : 0), programs(quick_shadows) {}
 
   void make_targets() {
     if (targets.width == view->width && targets.height == view->height) return;
@@ -286,7 +286,7 @@ struct ObjectsPass::Impl {
   }
 };
 
-ObjectsPass::ObjectsPass(int samples) : impl_(std::make_unique<Impl>(samples)) {}
+ObjectsPass::ObjectsPass(int samples, bool quick_shadows) : impl_(std::make_unique<Impl>(samples, quick_shadows)) {}
 ObjectsPass::~ObjectsPass() = default;
 
 const ObjectsPicture& ObjectsPass::draw(const SceneState& scene, const View& view, const SunShadow& shadow,

@@ -35,7 +35,8 @@ struct ObjectsPicture {
 // Draws real surfaces (depth, and the shadow on them, once a pixel) and virtual objects (multisampled).
 class ObjectsPass {
  public:
-  explicit ObjectsPass(int samples = 4);  // 1: no anti-aliasing
+  // `samples` 1: no anti-aliasing. `quick_shadows`: coarser penumbras in less time.
+  explicit ObjectsPass(int samples = 4, bool quick_shadows = false);
   ~ObjectsPass();
   ObjectsPass(const ObjectsPass&) = delete;
   ObjectsPass& operator=(const ObjectsPass&) = delete;

@@ -24,6 +24,16 @@ gl::Defines defines_of(unsigned features) {
   return defines;
 }
 
+// Samples of a soft shadow: to find what casts it, and to filter it.
+struct Taps {
+  const char* blocker;
+  const char* filter;
+};
+
+void add_taps(const Taps& taps, gl::Defines& defines) {
+  defines.insert(defines.end(), {{"BLOCKER_TAPS", taps.blocker}, {"FILTER_TAPS", taps.filter}});
+}
+
 // Only what shows in the depth: few variants.
 unsigned depth_features_of(const Material& material, const GpuModel::Textures& textures) {
   return bit(is_cut_out(material, textures), 5);
@@ -60,7 +70,7 @@ const gl::Program& SurfacePrograms::virtual_surface(Use use, const Material& mat
   if (found != virtual_.end()) return found->second;
   gl::Defines defines = defines_of(features);
   if (use != Use::Depth || features != 0) defines.push_back({"TEXTURED"});
-  if (use != Use::Depth) defines.insert(defines.end(), {{"BLOCKER_TAPS", "4"}, {"FILTER_TAPS", "8"}});
+  if (use != Use::Depth) add_taps(quick_shadows_ ? Taps{"2", "3"} : Taps{"4", "8"}, defines);
   if (use == Use::MarkedLight) defines.push_back({"MARKED"});
   const char* shader = use == Use::Depth         ? "scene/depth.frag"
                        : use == Use::SmoothEdges ? "scene/smooth.frag"
@@ -74,7 +84,7 @@ const gl::Program& SurfacePrograms::real_shadow(Casts casts, bool sought) {
   const auto found = real_shadow_.find(key);
   if (found != real_shadow_.end()) return found->second;
   gl::Defines defines = defines_of(features);
-  defines.insert(defines.end(), {{"BLOCKER_TAPS", "8"}, {"FILTER_TAPS", "16"}});
+  add_taps(quick_shadows_ ? Taps{"3", "4"} : Taps{"8", "16"}, defines);
   if (sought) defines.push_back({"SOUGHT"});
   return real_shadow_.emplace(key, gl::Program("scene/surface.vert", "scene/real_shadow.frag", defines)).first->second;
 }

@@ -14,6 +14,9 @@ bool is_cut_out(const Material& material, const GpuModel::Textures& textures);
 // for.
 class SurfacePrograms {
  public:
+  // `quick_shadows`: soft shadows from fewer samples, whose penumbras are coarser.
+  explicit SurfacePrograms(bool quick_shadows = false) : quick_shadows_(quick_shadows) {}
+
   struct Casts {
     bool virtual_casters = false;
     bool real_casters = false;
@@ -32,6 +35,7 @@ class SurfacePrograms {
   static void set_material(const gl::Program& program, const Material& material, const GpuModel::Textures& textures);
 
  private:
+  bool quick_shadows_;
   std::map<unsigned, gl::Program> virtual_;
   std::map<unsigned, gl::Program> real_shadow_;
   gl::Program real_depth_{"scene/surface.vert", "scene/depth.frag"};

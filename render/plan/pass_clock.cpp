@@ -3,12 +3,19 @@
 #include <GLES3/gl31.h>
 
 #include <chrono>
+#include <ctime>
 
 namespace render {
 namespace {
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double cpu_s() {
+  timespec used{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 }  // namespace
@@ -21,6 +28,7 @@ void PassClock::start(const std::string& name) {
   if (!on_) return;
   glFinish();
   started_s_ = now_s();
+  started_cpu_s_ = cpu_s();
   timers_[name].start();
 }
 
@@ -29,7 +37,8 @@ void PassClock::stop(const std::string& name) {
   gl::Timer& timer = timers_[name];
   timer.stop();
   glFinish();
-  times_.push_back({name, timer.milliseconds().value_or(0.0), (now_s() - started_s_) * 1e3});
+  times_.push_back(
+      {name, timer.milliseconds().value_or(0.0), (now_s() - started_s_) * 1e3, (cpu_s() - started_cpu_s_) * 1e3});
 }
 
 }  // namespace render

@@ -29,6 +29,7 @@ class PassClock {
 
   bool on_ = false;
   double started_s_ = 0.0;
+  double started_cpu_s_ = 0.0;
   std::map<std::string, gl::Timer> timers_;
   std::vector<PassTime> times_;
 };

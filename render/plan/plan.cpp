@@ -63,6 +63,7 @@ class Planner {
   Planner(const SceneState& scene, const Quality& quality) : scene_(scene), quality_(quality), needs_(needs_of(scene)) {
     plan_.shadow_map_size = quality.shadow_map_size;
     plan_.anti_alias = quality.anti_alias;
+    plan_.quick_shadows = quality.quick_shadows;
     plan_.render_scale = quality.render_scale;
     plan_.shafts = quality.shafts;
     resolve_technique();

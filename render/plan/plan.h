@@ -30,6 +30,7 @@ struct Plan {
   ShaftSettings shafts;  // resolved: technique is never "auto" here
   int shadow_map_size = 2048;
   bool anti_alias = true;
+  bool quick_shadows = false;
   double render_scale = 1.0;
 
   bool has(PassKind kind) const;
@@ -41,6 +42,7 @@ struct Quality {
   ShaftDemand shaft_demand;  // what "auto" has to hold, by the measured table
   int shadow_map_size = 2048;
   bool anti_alias = true;
+  bool quick_shadows = false;  // soft shadows from fewer samples
   // (0, 1]: virtual things and air are drawn in a picture that much smaller, and scaled up over the full real one.
   double render_scale = 1.0;
 };

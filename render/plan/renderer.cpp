@@ -5,11 +5,14 @@
 #include <array>
 #include <optional>
 #include <stdexcept>
+#include <thread>
 
 #include "render/composite/background.h"
 #include "render/composite/composite_pass.h"
 #include "render/composite/display_image.h"
+#include "render/composite/merge_pass.h"
 #include "render/composite/planes.h"
+#include "render/composite/quick_composite.h"
 #include "render/composite/still_pass.h"
 #include "render/gl/label.h"
 #include "render/gl/read_back.h"
@@ -77,6 +80,7 @@ struct Renderer::Impl {
   SunShadow shadow;
   std::optional<ObjectsPass> objects_pass;
   bool anti_alias = true;
+  bool quick_shadows = false;
   std::unique_ptr<ShaftTechnique> shafts_technique;
   ShaftSettings shafts_settings;
   CompositePass composite_pass;
@@ -84,7 +88,12 @@ struct Renderer::Impl {
   std::optional<BackgroundKey> background;
   PassClock clock;
 
+  // With a render scale below 1:
+  MergePass merge_pass;
+  std::optional<QuickComposite> quick_composite;
+
   std::shared_ptr<const LensMap> lens_map;  // what `lens` and `lens_view` were made from
+  double lens_scale = 1.0;
   std::optional<LensLookup> lens;
   View lens_view;
 
@@ -96,16 +105,17 @@ struct Renderer::Impl {
     clock.time(planned->name, std::forward<F>(pass));
   }
 
-  View view_for(const Camera& camera) {
+  View view_for(const Camera& camera, double scale = 1.0) {
     if (!camera.lens) {
       lens.reset();
       lens_map.reset();
-      return ideal_view(camera);
+      return ideal_view(camera, scale);
     }
-    if (lens_map != camera.lens) {
-      lens_view = ideal_view(camera);
+    if (lens_map != camera.lens || lens_scale != scale) {
+      lens_view = ideal_view(camera, scale);
       lens.emplace(*camera.lens, lens_view);
       lens_map = camera.lens;
+      lens_scale = scale;
     }
     View view = lens_view;
     look_from(camera, view);
@@ -113,9 +123,13 @@ struct Renderer::Impl {
   }
 
   void prepare(const Plan& plan) {
-    if (!objects_pass || anti_alias != plan.anti_alias) {
-      objects_pass.emplace(plan.anti_alias ? 4 : 1);
+    if (!objects_pass || anti_alias != plan.anti_alias || quick_shadows != plan.quick_shadows) {
+      objects_pass.emplace(plan.anti_alias ? 4 : 1, plan.quick_shadows);
       anti_alias = plan.anti_alias;
+      quick_shadows = plan.quick_shadows;
+    }
+    if (plan.render_scale < 1.0 && !quick_composite) {
+      quick_composite.emplace(static_cast<int>(std::thread::hardware_concurrency()));
     }
     if (!shafts_technique || shafts_settings != plan.shafts) {
       shafts_technique = make_shaft_technique(plan.shafts);
@@ -153,6 +167,20 @@ struct Renderer::Impl {
     return still_pass.read();
   }
 
+  // Layers smaller than the picture: merged by the GL, laid over the picture by the CPU.
+  void composite_small(const SceneState& scene, const Plan& plan, const CompositeLayers& layers, const PictureView& in,
+                       const MutablePictureView& out) {
+    const View& view = *layers.view;
+    PixelRect ideal;
+    if (layers.objects != nullptr) ideal = layers.objects->touched;
+    if (layers.shafts != nullptr) ideal = united(ideal, medium_region(view, *scene.medium));
+    if (ideal.empty()) return copy_picture(in, out);
+    const MergedPicture* merged = nullptr;
+    run(plan, PassKind::Upload, [&] { merge_pass.draw(layers, ideal, in.format.matrix == ColorMatrix::Bt2020); });
+    run(plan, PassKind::Read, [&] { merged = &merge_pass.read(); });
+    run(plan, PassKind::Composite, [&] { quick_composite->draw(scene.camera, view, *merged, in, out); });
+  }
+
   // The part of the real picture that the layers change.
   PixelRect changed_region(const SceneState& scene, const CompositeLayers& layers) const {
     PixelRect ideal;
@@ -180,8 +208,12 @@ void Renderer::composite(const SceneState& scene, const Plan& plan, const Pictur
                                          in.format.height, scene.camera.width, scene.camera.height));
   }
   impl.prepare(plan);
-  const View view = impl.view_for(scene.camera);
+  const View view = impl.view_for(scene.camera, plan.render_scale);
   const CompositeLayers layers = impl.draw_layers(scene, plan, view);
+  if (plan.render_scale < 1.0) {
+    impl.composite_small(scene, plan, layers, in, out);
+    return impl.models.forget_unused();
+  }
   const PixelRect region = CompositePass::region(in.format, impl.changed_region(scene, layers));
   if (region.empty()) return copy_picture(in, out);
   impl.run(plan, PassKind::Upload, [&] { impl.composite_pass.upload(in, region); });

@@ -31,6 +31,7 @@ struct PassTime {
   std::string name;
   double gpu_ms = 0.0;   // GL timer query; 0 where the driver has none
   double wall_ms = 0.0;  // with glFinish around it when timing is on
+  double cpu_ms = 0.0;   // processor time of all threads in it: what a software rasteriser costs on a busy machine too
 };
 
 // Executes plans. One per GL context; call from the thread on which the context is current.
