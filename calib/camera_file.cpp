@@ -25,7 +25,7 @@ std::string read_text(const std::filesystem::path& path) {
   if (!in || !(text << in.rdbuf())) {
     throw ar::InputError(
         fmt::format("camera file {}: cannot be read or is empty\n"
-                    "give an OpenCV, ROS camera_info or Kalibr camchain file",
+                    "give an OpenCV, ROS camera_info, Kalibr camchain or mrcal .cameramodel file",
                     path.string()));
   }
   return text.str();
@@ -102,28 +102,13 @@ bool looks_like_xml(const std::string& text) {
   return first != std::string::npos && text[first] == '<';
 }
 
-const char* ros_name(ar::LensModel lens) {
-  switch (lens) {
-    case ar::LensModel::None:
-      return "none";
-    case ar::LensModel::PlumbBob:
-      return "plumb_bob";
-    case ar::LensModel::Rational:
-      return "rational_polynomial";
-    case ar::LensModel::Fisheye:
-      return "equidistant";
-  }
-  return "none";
-}
-
-std::string opencv_matrix(const char* key, std::size_t rows, std::size_t cols, const double* values) {
-  std::string data;
-  for (std::size_t i = 0; i < rows * cols; ++i) data += fmt::format("{}{:.17g}", i == 0 ? "" : ", ", values[i]);
-  return fmt::format("{}: !!opencv-matrix\n   rows: {}\n   cols: {}\n   dt: d\n   data: [ {} ]\n", key, rows, cols,
-                     data);
-}
-
 }  // namespace
+
+std::optional<CameraNote> read_camera_note(const std::filesystem::path& path) {
+  const std::string text = read_text(path);
+  if (looks_like_xml(text) || looks_like_mrcal(text)) return std::nullopt;
+  return read_note(path, text);
+}
 
 void refuse(const std::string& where, const std::string& key, const std::string& found, const std::string& accepted) {
   throw ar::InputError(fmt::format("{}: {}: found {}; accepted: {}", where, key, found, accepted));
@@ -131,7 +116,9 @@ void refuse(const std::string& where, const std::string& key, const std::string&
 
 ar::CameraModel read_camera_file(const std::filesystem::path& path) {
   const std::string text = read_text(path);
-  const RawCamera raw = looks_like_xml(text) ? read_xml(path, text) : read_yaml(path, text);
+  const RawCamera raw = looks_like_xml(text)     ? read_xml(path, text)
+                        : looks_like_mrcal(text) ? read_mrcal(path, text)
+                                                 : read_yaml(path, text);
   ar::CameraModel camera;
   camera.width = raw.width;
   camera.height = raw.height;
@@ -139,23 +126,6 @@ ar::CameraModel read_camera_file(const std::filesystem::path& path) {
   set_intrinsics(raw, camera);
   set_lens(raw, camera);
   return camera;
-}
-
-void write_camera_file(const std::filesystem::path& path, const ar::CameraModel& camera) {
-  std::string text = "%YAML:1.0\n---\n";
-  text += fmt::format("image_width: {}\nimage_height: {}\n", camera.width, camera.height);
-  text += opencv_matrix("camera_matrix", 3, 3, camera.intrinsics.val);
-  text += fmt::format("distortion_model: {}\n", ros_name(camera.lens));
-  // OpenCV's reader wants a matrix even where there is no distortion.
-  const std::vector<double> distortion = camera.distortion.empty() ? std::vector<double>(5, 0.0) : camera.distortion;
-  text += opencv_matrix("distortion_coefficients", 1, distortion.size(), distortion.data());
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  if (!(out << text) || !out.flush()) {
-    throw std::runtime_error(
-        fmt::format("camera file {}: cannot be written\n"
-                    "is the folder there, writable, and its disk not full?",
-                    path.string()));
-  }
 }
 
 }  // namespace calib

@@ -27,7 +27,7 @@ std::string shown(const YAML::Node& node) {
 // One map of the file. Looks keys up under any of the names that the formats give them.
 class Section {
  public:
-  Section(YAML::Node node, std::filesystem::path path) : node_(std::move(node)), path_(std::move(path)) {
+  Section(const YAML::Node& node, std::filesystem::path path) : node_(node), path_(std::move(path)) {
     std::set<std::string> seen;  // yaml-cpp 0.7 keeps the first of two equal keys and says nothing
     for (const auto& entry : node_) {
       if (!entry.first.IsScalar()) refuse(place(path_, entry.first.Mark()), "key", shown(entry.first), "a name");
@@ -175,7 +175,9 @@ std::string without_opencv_header(std::string text) {
 
 }  // namespace
 
-RawCamera read_yaml(const std::filesystem::path& path, const std::string& text) {
+namespace {
+
+YAML::Node load(const std::filesystem::path& path, const std::string& text) {
   YAML::Node root;
   try {
     root = YAML::Load(without_opencv_header(text));
@@ -188,6 +190,40 @@ RawCamera read_yaml(const std::filesystem::path& path, const std::string& text) 
         fmt::format("{}:1: found no keys but {}\ngive an OpenCV, ROS camera_info or Kalibr camchain file",
                     path.string(), shown(root)));
   }
+  return root;
+}
+
+}  // namespace
+
+std::optional<CameraNote> read_note(const std::filesystem::path& path, const std::string& text) {
+  const YAML::Node root = load(path, text);
+  const YAML::Node kalibr = root["cam0"];
+  const Section camera(kalibr && kalibr.IsMap() ? kalibr : root, path);
+  const YAML::Node date = camera.find({"calibration_date"});
+  if (!date.IsDefined() || !date.IsScalar()) return std::nullopt;
+  const auto number = [&](const char* key) {
+    const YAML::Node node = camera.require({key}, "a number");
+    double value = 0.0;
+    if (!YAML::convert<double>::decode(node, value)) refuse(camera.where(node), key, shown(node), "a number");
+    return value;
+  };
+  CameraNote note;
+  note.date = date.Scalar();
+  note.rms_px = number("rms_px");
+  note.held_out_rms_px = number("held_out_rms_px");
+  note.views = static_cast<int>(number("calibration_views"));
+  const auto sigmas = [&](const char* key) {
+    std::vector<double> values;
+    for (const YAML::Node& item : camera.require({key}, "a list of numbers")) values.push_back(item.as<double>(0.0));
+    return values;
+  };
+  note.sigma_intrinsics = sigmas("sigma_intrinsics");
+  note.sigma_distortion = sigmas("sigma_distortion");
+  return note;
+}
+
+RawCamera read_yaml(const std::filesystem::path& path, const std::string& text) {
+  const YAML::Node root = load(path, text);
   const YAML::Node kalibr = root["cam0"];
   if (kalibr && kalibr.IsMap()) return read_kalibr(kalibr, path);
   return read_matrices(root, path);

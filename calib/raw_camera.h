@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ar/track/camera.h"
+#include "calib/camera_file.h"
 
 namespace calib {
 
@@ -22,6 +22,11 @@ struct RawCamera {
 };
 
 RawCamera read_yaml(const std::filesystem::path& path, const std::string& text);
+// What a calibration of ours left in the file; nothing where it was made elsewhere.
+std::optional<CameraNote> read_note(const std::filesystem::path& path, const std::string& text);
+// mrcal's .cameramodel: a Python dictionary.
+bool looks_like_mrcal(const std::string& text);
+RawCamera read_mrcal(const std::filesystem::path& path, const std::string& text);
 RawCamera read_xml(const std::filesystem::path& path, const std::string& text);
 
 // "WHERE: KEY: found X; accepted: Y" as ar::InputError.

@@ -7,6 +7,8 @@ namespace app {
 
 // The sections of a scene file, each checked on its own.
 ar::TagMap read_tags(const YamlValue& value);
+// The whole of a tag map file.
+ar::TagMap read_tag_map(const YamlValue& root);
 SceneSky read_sky(const YamlValue& value);
 SceneSun read_sun(const YamlValue& value);
 render::Medium read_medium(const YamlValue& value);

@@ -91,7 +91,10 @@ ar::TagMap read_tags(const YamlValue& value) {
   for (const char* key : {"family", "size", "map"}) {
     if (const auto other = map.find(key)) other->fail_found("both file and " + std::string(key), "file alone, or map");
   }
-  const YamlValue root = YamlValue::load(file->resolve(file->text("the path of a tag map")), "tag map");
+  return read_tag_map(YamlValue::load(file->resolve(file->text("the path of a tag map")), "tag map"));
+}
+
+ar::TagMap read_tag_map(const YamlValue& root) {
   const YamlMap content = root.map({"skyshaft_tags", "family", "size", "map"});
   content.require("skyshaft_tags", "1, the version of this format").integer(1, 1);
   return read_tag_block(content);

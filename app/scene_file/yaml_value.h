@@ -36,6 +36,8 @@ class YamlValue {
   glm::dvec3 vector3(const std::string& accepted) const;
 
   bool is_map() const { return node_.IsMap(); }
+  // Of a map, whatever else is in it: tells formats apart.
+  bool has(const std::string& key) const { return node_.IsMap() && node_[key].IsDefined(); }
   bool is_scalar() const { return node_.IsScalar(); }
 
   // "scene.yaml:12: medium.g", for messages of checks that are made later.

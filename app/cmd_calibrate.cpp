@@ -1,0 +1,180 @@
+// skyshaft calibrate: a camera's lens from pictures of a board, and how well it is known.
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/calibration/board_file.h"
+#include "app/calibration/gather.h"
+#include "app/calibration/summary.h"
+#include "app/commands.h"
+#include "app/error.h"
+#include "app/exit_status.h"
+#include "app/output_files.h"
+#include "ar/error.h"
+#include "calib/board_check.h"
+
+namespace app {
+namespace {
+
+struct CalibrateArguments {
+  GatherOptions gather;
+  std::string board;
+  std::string output;
+  std::string format = "opencv";
+  std::string report;
+  std::string lens = "auto";
+  std::vector<std::string> solve;
+  double board_sigma_mm = 0.0;
+  bool accept = false;
+  bool overwrite = false;
+};
+
+calib::CameraFormat format_of(const std::string& name) {
+  if (name == "ros") return calib::CameraFormat::Ros;
+  return name == "kalibr" ? calib::CameraFormat::Kalibr : calib::CameraFormat::OpenCv;
+}
+
+calib::SolveOptions solve_options(const CalibrateArguments& arguments) {
+  calib::SolveOptions options;
+  for (const std::string& what : arguments.solve) {
+    options.solve_flatness = options.solve_flatness || what == "flatness";
+    options.solve_layout = options.solve_layout || what == "layout";
+  }
+  options.board_sigma_m = arguments.board_sigma_mm / 1000.0;
+  return options;
+}
+
+void choose_lens(const CalibrateArguments& arguments, Calibration& c) {
+  if (arguments.lens != "auto") {
+    c.options.lens = calib::lens_choice_from(arguments.lens);
+    return;
+  }
+  const auto lens = calib::choose_lens(c.board, c.gathered.sightings, c.options, &c.trials);
+  c.options.lens = lens.value_or(calib::LensChoice::PlumbBob4);
+}
+
+// A board file of another board explains bad corners better than anything else does.
+void check_board(Calibration& c) {
+  const bool poor = c.solution.rms_px > 0.5 || c.solution.points_rejected > 0.1 * c.solution.points_used ||
+                    c.judgement.verdict == calib::Verdict::Rejected;
+  if (!poor) return;
+  const auto wrong = calib::wrong_step(c.board, c.gathered.sightings.views, 0.06);
+  if (!wrong) return;
+  const std::string what = fmt::format(
+      "the board file does not fit the pictures: from tag {} to tag {} they show {:+.2f} tag sizes right and {:+.2f} "
+      "down, the file says {:+.2f} and {:+.2f}",
+      wrong->from_id, wrong->to_id, wrong->measured.x, wrong->measured.y, wrong->expected.x, wrong->expected.y);
+  c.judgement.findings.insert(c.judgement.findings.begin(),
+                              {true, what, "correct the gaps, sizes or ids in the board file; skyshaft board --check"});
+  c.judgement.verdict = calib::Verdict::Rejected;
+}
+
+std::string today() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()));
+}
+
+Calibration calibrate(const CalibrateArguments& arguments) {
+  Calibration c;
+  c.board = read_board(arguments.board);
+  c.date = today();
+  c.gathered = gather(c.board, arguments.gather);
+  spdlog::debug("{} views of the board", c.gathered.sightings.views.size());
+  c.options = solve_options(arguments);
+  choose_lens(arguments, c);
+  const auto solution = calib::solve(c.board, c.gathered.sightings, c.options);
+  if (!solution) {
+    const auto wrong = calib::wrong_step(c.board, c.gathered.sightings.views, 0.06);
+    throw std::runtime_error(fmt::format("no camera explains the {} views of the board\n{}",
+                                         c.gathered.sightings.views.size(),
+                                         wrong ? "the board file does not fit the pictures: see skyshaft board --check"
+                                               : "add views of the board, tilted different ways"));
+  }
+  c.solution = *solution;
+  c.judgement = calib::judge(c.board, c.gathered.sightings, c.solution, c.options);
+  check_board(c);
+  return c;
+}
+
+void check_outputs(const CalibrateArguments& arguments) {
+  if (!arguments.output.empty()) check_may_write(arguments.output, arguments.overwrite);
+  if (!arguments.report.empty()) check_may_write(arguments.report, arguments.overwrite);
+}
+
+int run(const CalibrateArguments& arguments) {
+  check_outputs(arguments);
+  const Calibration c = calibrate(arguments);
+  std::cout << summary_text(c);
+  if (!arguments.report.empty()) write_whole(arguments.report, report_html(c), arguments.overwrite);
+  const bool rejected = c.judgement.verdict == calib::Verdict::Rejected;
+  if (!arguments.output.empty() && (!rejected || arguments.accept)) {
+    write_whole(arguments.output, calib::camera_text(c.solution.camera, format_of(arguments.format), note_of(c)),
+                arguments.overwrite);
+  }
+  if (rejected && !arguments.accept) {
+    std::cerr << "skyshaft: calibration rejected: " << c.judgement.findings.front().what << '\n'
+              << c.judgement.findings.front().to_do
+              << (arguments.output.empty() ? "" : "; --accept writes the file all the same") << '\n';
+  }
+  return rejected ? kCalibrationRejected : kDone;
+}
+
+void add_options(CLI::App& command, CalibrateArguments& arguments) {
+  command.add_option("input", arguments.gather.inputs, "Pictures, folders or patterns of pictures, recordings")
+      ->required();
+  command.add_option("--board", arguments.board, "Board file, tag map, Kalibr target or short form; see below")
+      ->required();
+  command.add_option("-o,--output", arguments.output, "Camera file to write");
+  command.add_option("--format", arguments.format, "Its format: opencv, ros or kalibr")
+      ->check(CLI::IsMember({"opencv", "ros", "kalibr"}))
+      ->capture_default_str();
+  command.add_option("--report", arguments.report, "HTML page with plots to write");
+  std::vector<std::string> lenses = calib::lens_choice_names();
+  lenses.insert(lenses.begin(), "auto");
+  command.add_option("--lens", arguments.lens, "Lens model; auto: the simplest that predicts views it was not shown")
+      ->check(CLI::IsMember(lenses))
+      ->capture_default_str();
+  command.add_option("--solve", arguments.solve, "Errors of the board to solve for as well: flatness, layout")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"flatness", "layout"}));
+  command
+      .add_option("--board-sigma", arguments.board_sigma_mm,
+                  "Expected size of those errors, mm; default: 1 % of a square or tag")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--views", arguments.gather.most_views, "Most views to choose from a recording")
+      ->check(CLI::Range(3, 1000))
+      ->capture_default_str();
+  command.add_option("--corners-cache", arguments.gather.corners_cache,
+                     "File that keeps the corners found, so that solving again takes seconds");
+  command.add_flag("--accept", arguments.accept, "Write the camera file even if the calibration is rejected");
+  command.add_flag("--overwrite", arguments.overwrite, "Replace files that exist");
+}
+
+}  // namespace
+
+void add_calibrate_command(CLI::App& app, Program& program) {
+  CLI::App* command =
+      app.add_subcommand("calibrate", "A camera's lens from pictures of a board, and how well it is known");
+  auto arguments = std::make_shared<CalibrateArguments>();
+  add_options(*command, *arguments);
+  command->footer(
+      std::string(kBoardHelp) +
+      "\n\nStatus 4: the calibration fails its own gates; docs/calibration.md lists them. The camera file is then\n"
+      "written only with --accept.\n\n"
+      "Example:\n  skyshaft calibrate left*.jpg --board chessboard:9x6:25mm -o camera.yaml --report report.html");
+  command->callback([arguments, &program] {
+    program.action = [arguments, &program] {
+      arguments->gather.quiet = program.quiet;
+      return run(*arguments);
+    };
+  });
+}
+
+}  // namespace app

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "calib/board.h"
+#include "calib/lens_choice.h"
+#include "calib/sighting.h"
+
+namespace calib {
+
+// All that a calibration varies, and what it is held against.
+struct Bundle {
+  const Board* board = nullptr;
+  LensChoice lens = LensChoice::Pinhole;
+  std::vector<double> intrinsics;
+  std::vector<std::array<double, 6>> poses;    // rotation vector and translation, camera from board; by view
+  std::vector<std::array<double, 3>> offsets;  // of the board's points, m
+  std::vector<const Sighting*> views;
+  std::vector<std::vector<cv::Point2d>> px;  // measured, freed of what bent edges do to tags' corners
+  std::vector<std::vector<bool>> used;
+  double offset_sigma_m = 0.0;
+  bool free_layout = false;
+  bool free_flatness = false;
+
+  bool frees_offsets() const { return free_layout || free_flatness; }
+};
+
+struct MinimiseOptions {
+  double robust_scale_px = 0.0;  // of Cauchy's loss; 0: squares
+  double noise_px = 0.2;         // of one coordinate; what the board's own errors are weighed against
+  bool hold_intrinsics = false;
+  bool hold_distortion = false;  // and the principal point
+};
+
+// From where the bundle stands. False when the solver gave up or ended in something that is not finite.
+bool minimise(Bundle& bundle, const MinimiseOptions& options);
+
+// Residuals measured - predicted of one view; NaN where a point cannot be projected.
+std::vector<cv::Point2d> residuals(const Bundle& bundle, std::size_t view);
+
+// Inverse of the intrinsics' information, poses and board errors left free, for corners of 1 px noise (multiply by the
+// noise's variance): the inverse of the Schur complement of the normal equations. Infinite diagonal where singular.
+struct Information {
+  cv::Mat_<double> covariance;
+  double conditioning = 0.0;  // smallest over largest eigenvalue of the information scaled to unit diagonal
+};
+Information intrinsics_information(const Bundle& bundle, double noise_px);
+
+}  // namespace calib

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calib/sighting.h"
+#include "calib/solver.h"
+#include "calib/uncertainty.h"
+
+namespace calib {
+
+enum class Verdict { Good, Usable, Rejected };
+const char* to_string(Verdict verdict);
+
+// One thing that is not as it should be, the numbers behind it, and what would help.
+struct Finding {
+  bool rejects = false;
+  std::string what;
+  std::string to_do;
+};
+
+// How a view sees the board.
+struct ViewGeometry {
+  bool used = false;
+  double tilt_rad = 0.0;       // of the board against the picture's plane, 0 ... pi/2
+  double direction_rad = 0.0;  // towards which side it leans away: 0 right, pi/2 down
+  double distance_m = 0.0;     // to the middle of the board
+};
+
+struct Judgement {
+  Verdict verdict = Verdict::Rejected;
+  std::vector<Finding> findings;
+  double held_out_rms_px = 0.0;  // of views that the solver was not shown; NaN when there are too few
+  int folds = 0;
+  Grid grid;
+  std::vector<int> corners;       // by cell
+  std::vector<double> sigma_px;   // by cell, see projected_sigma_px()
+  double covered = 0.0;           // share of the cells with corners
+  double sigma_typical_px = 0.0;  // median over the cells with corners
+  double sigma_worst_px = 0.0;    // over all cells
+  std::vector<ViewGeometry> views;
+  double largest_tilt_rad = 0.0;
+  double normals_spread_rad = 0.0;  // largest angle between the board's normals in the camera's frame
+  double edge_width_px = 0.0;       // median over the views
+
+  // "rejected: focal length known to 2.4 % only ...", one line; the first finding decides.
+  std::string sentence(const Solution& solution) const;
+};
+
+// Cross-validation: the views are dealt into folds (five, or one view each where there are fewer than ten); each fold
+// is predicted by a solution of the others, its own poses fitted. NaN below three used views.
+double held_out_rms_px(const Board& board, const Sightings& sightings, const Solution& solution,
+                       const SolveOptions& options, int* folds);
+
+// Everything that speaks for and against a solution. Gates: see the source; docs/calibration.md lists them.
+Judgement judge(const Board& board, const Sightings& sightings, const Solution& solution, const SolveOptions& options);
+
+// Solves with each lens and keeps the simplest whose held-out RMS is within a tenth of the best one's: what a richer
+// lens would explain beyond that is less than half of the noise. nullopt when none can be solved.
+struct LensTrial {
+  LensChoice lens = LensChoice::Pinhole;
+  bool solved = false;
+  double rms_px = 0.0;
+  double held_out_rms_px = 0.0;
+};
+std::optional<LensChoice> choose_lens(const Board& board, const Sightings& sightings, const SolveOptions& options,
+                                      std::vector<LensTrial>* trials);
+
+}  // namespace calib

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ar/track/camera.h"
+#include "ar/track/pose.h"
+#include "calib/board.h"
+#include "calib/lens_choice.h"
+#include "calib/sighting.h"
+
+namespace calib {
+
+// Where a solver can begin: a camera without distortion (a fisheye with none in its angle).
+struct Start {
+  ar::CameraModel camera;
+  double rms_px = 0.0;
+};
+
+// Poses that explain a view through a known camera: both of a flat board (Collins and Bartoli 2014), best first.
+std::vector<ar::Rigid3> poses_of(const Board& board, const Sighting& view, const ar::CameraModel& camera);
+
+// Root of the mean squared distance of a view's points at that pose; infinite when one cannot be projected.
+double view_rms_px(const Board& board, const Sighting& view, const ar::CameraModel& camera,
+                   const ar::Rigid3& camera_from_board);
+
+// Tries focal lengths from that of a fisheye to that of a telephoto and keeps the one that explains the views best.
+// nullopt when no view has 4 points that any camera explains.
+std::optional<Start> find_start(const Board& board, const Sightings& sightings, LensChoice lens);
+
+}  // namespace calib

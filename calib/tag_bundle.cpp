@@ -1,0 +1,205 @@
+#include "calib/tag_bundle.h"
+
+#include <ceres/ceres.h>
+#include <glog/logging.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "ar/track/lens.h"
+#include "ar/track/tag_map.h"
+#include "calib/projection.h"
+
+namespace calib {
+namespace {
+
+using Pose = std::array<double, 6>;  // rotation vector, translation
+
+Pose numbers_of(const ar::Rigid3& pose) {
+  const cv::Vec3d turn = ar::vector_from_rotation(pose.rotation);
+  return {turn[0], turn[1], turn[2], pose.translation[0], pose.translation[1], pose.translation[2]};
+}
+
+ar::Rigid3 pose_of(const Pose& p) {
+  return {ar::rotation_from_vector({p[0], p[1], p[2]}), {p[3], p[4], p[5]}};
+}
+
+// One corner: the map's point from the tag's pose, then the camera's picture of it.
+struct TagCornerError {
+  LensChoice lens;
+  const double* intrinsics;
+  cv::Vec3d in_tag;
+  cv::Point2d px;
+
+  template <typename T>
+  bool operator()(const T* camera_from_map, const T* map_from_tag, T* residual) const {
+    const T in_tag_t[3] = {T(in_tag[0]), T(in_tag[1]), T(in_tag[2])};
+    T in_map[3];
+    ceres::AngleAxisRotatePoint(map_from_tag, in_tag_t, in_map);
+    for (int i = 0; i < 3; ++i) in_map[i] += map_from_tag[3 + i];
+    T v[12];
+    for (int i = 0; i < intrinsics_count(lens); ++i) v[i] = T(intrinsics[i]);
+    if (!project_board_point(lens, v, camera_from_map, in_map, residual)) return false;
+    residual[0] -= px.x;
+    residual[1] -= px.y;
+    return true;
+  }
+};
+
+struct Parameters {
+  std::vector<Pose> cameras;  // camera from map
+  std::vector<Pose> tags;     // map from tag
+};
+
+Parameters parameters_of(const TagBundle& bundle) {
+  Parameters p;
+  for (const ar::Rigid3& pose : bundle.map_from_camera) p.cameras.push_back(numbers_of(pose.inverse()));
+  for (const ar::Rigid3& pose : bundle.map_from_tag) p.tags.push_back(numbers_of(pose));
+  return p;
+}
+
+void fill(const TagBundle& bundle, double robust_scale_px, LensChoice lens, const std::vector<double>& intrinsics,
+          Parameters& p, ceres::Problem& problem) {
+  for (const TagObservation& seen : bundle.observations) {
+    if (!seen.used) continue;
+    const auto in_tag = ar::corners_in_tag(bundle.tag_size_m[seen.tag]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      problem.AddResidualBlock(new ceres::AutoDiffCostFunction<TagCornerError, 2, 6, 6>(
+                                   new TagCornerError{lens, intrinsics.data(), in_tag[i], seen.px[i]}),
+                               robust_scale_px > 0.0 ? new ceres::CauchyLoss(robust_scale_px) : nullptr,
+                               p.cameras[seen.camera].data(), p.tags[seen.tag].data());
+    }
+  }
+  if (problem.HasParameterBlock(p.tags[0].data())) problem.SetParameterBlockConstant(p.tags[0].data());
+}
+
+bool is_finite(const Pose& pose) {
+  for (double v : pose) {
+    if (!std::isfinite(v)) return false;
+  }
+  return true;
+}
+
+// d(pixel) by small steps of the camera (along the map's axes) and of the tag, as ar::moved() takes them.
+struct Derivatives {
+  bool valid = false;
+  Eigen::Matrix<double, 2, 6> by_camera;
+  Eigen::Matrix<double, 2, 6> by_tag;
+};
+
+Derivatives derivatives_of(const ar::Lens& lens, const ar::Rigid3& map_from_camera, const ar::Rigid3& map_from_tag,
+                           const cv::Vec3d& in_tag) {
+  Derivatives out;
+  const cv::Vec3d in_map = map_from_tag * in_tag;
+  const cv::Vec3d from_camera = in_map - map_from_camera.translation;
+  const cv::Matx33d camera_from_map = map_from_camera.rotation.t();
+  cv::Matx23d by_point;
+  if (!lens.project(camera_from_map * from_camera, &by_point)) return out;
+  out.valid = true;
+  const cv::Matx23d by_shift = by_point * camera_from_map;
+  // A turn of the tag moves its corner by w x (R x); one of the camera moves the point the other way.
+  const cv::Matx23d tag_turn = by_shift * ar::cross_matrix(in_map - map_from_tag.translation) * -1.0;
+  const cv::Matx23d camera_turn = by_shift * ar::cross_matrix(from_camera);
+  for (int r = 0; r < 2; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      out.by_tag(r, c) = tag_turn(r, c);
+      out.by_tag(r, c + 3) = by_shift(r, c);
+      out.by_camera(r, c) = camera_turn(r, c);
+      out.by_camera(r, c + 3) = -by_shift(r, c);
+    }
+  }
+  return out;
+}
+
+// Information about all tags' poses, the first one's included, each camera's pose left free.
+Eigen::MatrixXd tags_information(const TagBundle& bundle) {
+  const ar::Lens lens(bundle.lens);
+  const auto n = static_cast<Eigen::Index>(6 * bundle.map_from_tag.size());
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t camera = 0; camera < bundle.map_from_camera.size(); ++camera) {
+    Eigen::Matrix<double, 6, 6> of_camera = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::MatrixXd cross = Eigen::MatrixXd::Zero(n, 6);
+    for (const TagObservation& seen : bundle.observations) {
+      if (!seen.used || seen.camera != camera) continue;
+      const auto at = static_cast<Eigen::Index>(6 * seen.tag);
+      for (const cv::Vec3d& corner : ar::corners_in_tag(bundle.tag_size_m[seen.tag])) {
+        const Derivatives d =
+            derivatives_of(lens, bundle.map_from_camera[camera], bundle.map_from_tag[seen.tag], corner);
+        if (!d.valid) continue;
+        information.block<6, 6>(at, at) += d.by_tag.transpose() * d.by_tag;
+        cross.middleRows<6>(at) += d.by_tag.transpose() * d.by_camera;
+        of_camera += d.by_camera.transpose() * d.by_camera;
+      }
+    }
+    if (of_camera.trace() > 0.0) information -= cross * of_camera.ldlt().solve(cross.transpose());
+  }
+  return information;
+}
+
+}  // namespace
+
+bool minimise(TagBundle& bundle, double robust_scale_px) {
+  FLAGS_minloglevel = google::GLOG_FATAL;
+  const LensChoice lens = lens_choice_of(bundle.lens);
+  const std::vector<double> intrinsics = intrinsics_of(lens, bundle.lens);
+  Parameters p = parameters_of(bundle);
+  ceres::Problem problem;
+  fill(bundle, robust_scale_px, lens, intrinsics, p, problem);
+  if (problem.NumResidualBlocks() == 0) return false;
+  ceres::Solver::Options settings;
+  settings.linear_solver_type = ceres::DENSE_SCHUR;
+  settings.max_num_iterations = 100;
+  settings.function_tolerance = 1e-9;
+  settings.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(settings, &problem, &summary);
+  if (!summary.IsSolutionUsable()) return false;
+  for (std::size_t i = 0; i < p.cameras.size(); ++i) {
+    if (!is_finite(p.cameras[i])) return false;
+    bundle.map_from_camera[i] = pose_of(p.cameras[i]).inverse();
+  }
+  for (std::size_t i = 0; i < p.tags.size(); ++i) {
+    if (!is_finite(p.tags[i])) return false;
+    bundle.map_from_tag[i] = pose_of(p.tags[i]);
+  }
+  return true;
+}
+
+double observation_rms_px(const TagBundle& bundle, const TagObservation& seen) {
+  const ar::Lens lens(bundle.lens);
+  const ar::Rigid3 camera_from_tag = bundle.map_from_camera[seen.camera].inverse() * bundle.map_from_tag[seen.tag];
+  const auto in_tag = ar::corners_in_tag(bundle.tag_size_m[seen.tag]);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto px = lens.project(camera_from_tag * in_tag[i]);
+    if (!px) return std::numeric_limits<double>::infinity();
+    const cv::Point2d off = seen.px[i] - *px;
+    sum += off.dot(off);
+  }
+  return std::sqrt(sum / 4.0);
+}
+
+std::vector<cv::Matx66d> tag_covariances(const TagBundle& bundle) {
+  const Eigen::MatrixXd information = tags_information(bundle);
+  const Eigen::Index n = information.rows() - 6;  // without the first tag's, which stays
+  std::vector<cv::Matx66d> covariances(bundle.map_from_tag.size(), cv::Matx66d::zeros());
+  if (n == 0) return covariances;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information.bottomRightCorner(n, n));
+  const double smallest = eigen.eigenvalues()(0);
+  const bool regular = smallest > 1e-12 * eigen.eigenvalues()(n - 1);
+  const Eigen::MatrixXd inverse =
+      regular ? Eigen::MatrixXd(eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() *
+                                eigen.eigenvectors().transpose())
+              : Eigen::MatrixXd::Identity(n, n) * std::numeric_limits<double>::infinity();
+  for (std::size_t t = 1; t < covariances.size(); ++t) {
+    const auto at = static_cast<Eigen::Index>(6 * (t - 1));
+    for (int r = 0; r < 6; ++r) {
+      for (int c = 0; c < 6; ++c) covariances[t](r, c) = inverse(at + r, at + c);
+    }
+  }
+  return covariances;
+}
+
+}  // namespace calib
