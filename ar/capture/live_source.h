@@ -5,7 +5,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "ar/capture/camera_controls.h"
 #include "ar/capture/frame.h"
 #include "ar/capture/source.h"
 
@@ -15,8 +17,9 @@ namespace ar {
 struct LiveRequest {
   std::optional<int> width;
   std::optional<int> height;
-  std::optional<double> rate;         // frames a second
-  std::optional<std::string> format;  // FourCC as the driver writes it: "YUYV", "NV12", "MJPG"
+  std::optional<double> rate;                 // frames a second
+  std::optional<std::string> format;          // FourCC as the driver writes it: "YUYV", "NV12", "MJPG"
+  std::vector<ControlSetting> controls = {};  // set when it is opened, and again after it was lost
 };
 
 enum class LiveStatus {
@@ -51,6 +54,9 @@ class LiveSource {
   // Waits for the next frame, at most `patience`. Skips damaged ones. Used by one thread.
   virtual LiveRead read(std::chrono::milliseconds patience) = 0;
   virtual LiveCounts counts() const = 0;
+  // Exposure, gain, focus and white balance, as long as the source lives; null where there are none. May be used by
+  // another thread than the one that reads.
+  virtual CameraControls* controls() { return nullptr; }
 };
 
 // Opens "v4l2:/dev/video0", "v4l2:" (the first camera), "libcamera:ID", "libcamera:" or "file:CLIP" (played once at

@@ -1,48 +1,15 @@
 #include "ar/capture/v4l2_buffers.h"
 
-#include <fmt/format.h>
-#include <sys/mman.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <vector>
 
+#include "ar/capture/mapped_memory.h"
 #include "ar/error.h"
 
 namespace ar::v4l2 {
 namespace {
-
-// A buffer of the driver's in our memory, with a page behind it: encoders and scalers read whole vectors, past a
-// picture's end too.
-class Mapping {
- public:
-  Mapping(const Device& device, std::uint32_t length, std::uint32_t offset) : length_(length) {
-    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    reserved_ = (length_ + page - 1) / page * page + page;
-    start_ = mmap(nullptr, reserved_, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (start_ == MAP_FAILED) throw std::bad_alloc();
-    const void* mapped = mmap(start_, length_, PROT_READ, MAP_SHARED | MAP_FIXED, device.descriptor(), offset);
-    if (mapped == MAP_FAILED) {
-      const int error = errno;
-      munmap(start_, reserved_);
-      throw InputError(explain(device.node(), "mmap", error));
-    }
-  }
-  ~Mapping() { munmap(start_, reserved_); }
-  Mapping(const Mapping&) = delete;
-  Mapping& operator=(const Mapping&) = delete;
-
-  std::uint8_t* data() const { return static_cast<std::uint8_t*>(start_); }
-  std::size_t length() const { return length_; }
-
- private:
-  std::size_t length_;
-  std::size_t reserved_ = 0;
-  void* start_ = nullptr;
-};
 
 v4l2_buffer numbered(std::uint32_t index) {
   v4l2_buffer buffer{};
@@ -52,12 +19,20 @@ v4l2_buffer numbered(std::uint32_t index) {
   return buffer;
 }
 
+std::shared_ptr<const MappedMemory> map(const Device& device, const v4l2_buffer& buffer) {
+  try {
+    return std::make_shared<const MappedMemory>(device.descriptor(), buffer.length, buffer.m.offset);
+  } catch (const std::system_error& error) {
+    throw InputError(explain(device.node(), "mmap", error.code().value()));
+  }
+}
+
 }  // namespace
 
 struct CaptureBuffers::Shared {
   mutable std::mutex mutex;
   std::shared_ptr<const Device> device;  // empty once the stream ended
-  std::vector<std::shared_ptr<const Mapping>> mappings;
+  std::vector<std::shared_ptr<const MappedMemory>> mappings;
   std::vector<std::uint32_t> refused;  // given back, but not taken by the driver
   unsigned on_loan = 0;
 
@@ -78,7 +53,7 @@ namespace {
 // A picture's hold on its buffer; the mapping goes last, after the stream too.
 template <typename Shared>
 struct Loan {
-  std::shared_ptr<const Mapping> mapping;
+  std::shared_ptr<const MappedMemory> mapping;
   std::shared_ptr<Shared> shared;
   std::uint32_t index;
 
@@ -102,7 +77,7 @@ CaptureBuffers::CaptureBuffers(std::shared_ptr<const Device> device, unsigned co
   for (std::uint32_t i = 0; i < request.count; ++i) {
     v4l2_buffer buffer = numbered(i);
     camera.require(VIDIOC_QUERYBUF, &buffer, "VIDIOC_QUERYBUF");
-    shared_->mappings.push_back(std::make_shared<const Mapping>(camera, buffer.length, buffer.m.offset));
+    shared_->mappings.push_back(map(camera, buffer));
     buffer = numbered(i);
     camera.require(VIDIOC_QBUF, &buffer, "VIDIOC_QBUF");
   }
@@ -128,7 +103,7 @@ int CaptureBuffers::take(Filled& filled) {
   v4l2_buffer buffer = numbered(0);
   if (const int error = shared_->device->call(VIDIOC_DQBUF, &buffer); error != 0) return error;
   filled.about = buffer;
-  const std::shared_ptr<const Mapping>& mapping = shared_->mappings.at(buffer.index);
+  const std::shared_ptr<const MappedMemory>& mapping = shared_->mappings.at(buffer.index);
   auto loan = std::make_unique<Loan<Shared>>(Loan<Shared>{mapping, shared_, buffer.index});
   filled.memory.reset(
       av_buffer_create(mapping->data(), mapping->length(), Loan<Shared>::end, loan.get(), AV_BUFFER_FLAG_READONLY));

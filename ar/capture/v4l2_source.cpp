@@ -17,6 +17,7 @@
 #include "ar/capture/pixel_format.h"
 #include "ar/capture/trouble_log.h"
 #include "ar/capture/v4l2_buffers.h"
+#include "ar/capture/v4l2_controls.h"
 #include "ar/capture/v4l2_device.h"
 #include "ar/error.h"
 
@@ -112,6 +113,7 @@ class V4l2Source : public LiveSource {
   std::string identity() const override { return identity_; }
   LiveRead read(milliseconds patience) override;
   LiveCounts counts() const override { return trouble_.counts(); }
+  CameraControls* controls() override { return &controls_; }
 
  private:
   struct Taken {
@@ -128,6 +130,7 @@ class V4l2Source : public LiveSource {
   std::int64_t time_of(const v4l2_buffer& about);
 
   std::shared_ptr<const v4l2::Device> device_;
+  v4l2::Controls controls_;
   std::string identity_;
   TroubleLog trouble_;
   PictureLayout layout_;  // of raw pictures
@@ -145,11 +148,13 @@ class V4l2Source : public LiveSource {
 
 V4l2Source::V4l2Source(const std::string& address, const LiveRequest& request)
     : device_(std::make_shared<const v4l2::Device>(v4l2::resolve(address))),
+      controls_(device_),
       identity_("v4l2:" + v4l2::stable_address(*device_)),
       trouble_(device_->node().string()) {
   const ModeChoice choice = choose(*device_, request);
   set_ = set_format(*device_, choice.mode);
   info_.frame_rate = set_rate(*device_, choice.rate);
+  apply(request.controls, controls_, device_->node().string());
   const CameraFormat format = *find_camera_format(choice.mode.format);
   layout_ = {format.pixels, static_cast<int>(set_.width), static_cast<int>(set_.height),
              static_cast<int>(set_.bytesperline)};
@@ -247,6 +252,7 @@ LiveRead V4l2Source::hand_out(Taken taken) {
   frame.pts = taken.taken_us;
   frame.time_s = static_cast<double>(taken.taken_us) * 1e-6;
   frame.duration_s = duration_s_;
+  frame.exposure.exposure_s = controls_.fixed_exposure_s();
   read.frame = std::move(frame);
   return read;
 }

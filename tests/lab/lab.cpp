@@ -100,6 +100,11 @@ std::string await_node(const std::string& driver) {
   return node;
 }
 
+const WebcamModel& unplugged(const WebcamModel& next) {
+  EXPECT_TRUE(eventually([] { return node_of("uvcvideo").empty(); }));
+  return next;
+}
+
 void set_control(const std::string& node, const std::string& name, int value) {
   const int descriptor = open_node(node);
   v4l2_queryctrl query{};

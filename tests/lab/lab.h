@@ -21,6 +21,9 @@ std::string node_of(const std::string& driver, bool outputs = false);
 // Waits for it, at most 20 s, and for udev to be done with it. Throws std::runtime_error.
 std::string await_node(const std::string& driver);
 
+// The model, once the driver has let go of any webcam before it.
+const WebcamModel& unplugged(const WebcamModel& next);
+
 // A control by its name as the driver writes it ("Inject Fatal Streaming Error"). Throws std::runtime_error.
 void set_control(const std::string& node, const std::string& name, int value);
 // Asks a driver directly, behind the source's back.

@@ -20,12 +20,6 @@ const WebcamModel& model() {
   return kModel;
 }
 
-// The model, once the driver has let go of any webcam before it.
-const WebcamModel& unplugged(const WebcamModel& next) {
-  EXPECT_TRUE(eventually([] { return node_of("uvcvideo").empty(); }));
-  return next;
-}
-
 // Whether the driver throws broken frames away itself.
 void set_nodrop(bool nodrop) {
   std::ofstream("/sys/module/uvcvideo/parameters/nodrop") << (nodrop ? 1 : 0);

@@ -4,7 +4,9 @@
 #include <linux/videodev2.h>
 
 #include <limits>
+#include <stdexcept>
 
+#include "ar/capture/camera_controls.h"
 #include "ar/capture/camera_format.h"
 #include "ar/capture/color.h"
 #include "ar/capture/frame_clock.h"
@@ -110,6 +112,16 @@ TEST(FrameClock, CarriesTimesOfAnotherClockOver) {
 TEST(FrameClock, TakesTheArrivalWhereTheDriverSaysNothing) {
   FrameClock clock;
   EXPECT_EQ(clock.read({0, std::nullopt}, 77).taken_us, 77);
+}
+
+TEST(ControlSetting, IsReadAsPeopleWriteIt) {
+  using Mode = ControlSetting::Mode;
+  EXPECT_EQ(parse_control_setting("exposure=0.008"), (ControlSetting{CameraControl::Exposure, Mode::Value, 0.008}));
+  EXPECT_EQ(parse_control_setting("white-balance=auto"), (ControlSetting{CameraControl::WhiteBalance}));
+  EXPECT_EQ(parse_control_setting("focus=lock"), (ControlSetting{CameraControl::Focus, Mode::Locked}));
+  for (const char* wrong : {"", "gain", "gain=", "gain=much", "gain=1x", "gain=nan", "zoom=2", "=auto"}) {
+    EXPECT_THROW(parse_control_setting(wrong), std::invalid_argument) << wrong;
+  }
 }
 
 TEST(TroubleLog, TellsAtMostOnceASecondAndOfNothingNever) {
