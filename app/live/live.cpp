@@ -4,7 +4,6 @@
 #include <spdlog/spdlog.h>
 
 #include <chrono>
-#include <string_view>
 
 #include "app/exit_status.h"
 #include "app/live/draw_stage.h"
@@ -15,7 +14,6 @@
 #include "app/pipeline/interrupt.h"
 #include "app/pipeline/progress.h"
 #include "app/process/tracked_scene.h"
-#include "ar/capture/file_live_source.h"
 #include "ar/error.h"
 
 namespace app {
@@ -25,12 +23,6 @@ constexpr std::chrono::milliseconds kPatience{20};
 // Part of the time between two frames that drawing may take: tracking and showing need some of it too.
 constexpr double kPartForDrawing = 0.75;
 constexpr double kUsualIntervalMs = 1000.0 / 30.0;
-
-std::unique_ptr<ar::LiveSource> open_source_of(const std::string& specification) {
-  constexpr std::string_view kFile = "file:";
-  if (specification.starts_with(kFile)) return ar::open_file_live_source(specification.substr(kFile.size()));
-  throw ar::InputError(fmt::format("found --source {}; accepted: file:CLIP", specification));
-}
 
 void check_outputs(const LiveOptions& options) {
   if (options.record) check_may_write(*options.record, options.sink.overwrite);
@@ -93,7 +85,8 @@ Session::Session(const LiveOptions& options)
     : options_(options),
       scene_(load_tracked_scene(options.scene, options.shafts)),
       feed_(
-          open_source_of(options.source), [](const std::string& identity) { return open_source_of(identity); },
+          ar::open_live_source(options.source, options.request),
+          [request = options.request](const std::string& identity) { return ar::open_live_source(identity, request); },
           options.feed),
       camera_(choose_camera(options.camera, feed_.info())),
       drawing_(options.egl_device, camera_, feed_.info(), scene_, live_conditions(options, scene_, feed_.info()),
