@@ -7,12 +7,13 @@
 
 namespace ar {
 
-// A device's memory in ours, to be read, with a page of zeros behind it: encoders and scalers read whole vectors, past
+// A device's memory in ours, with a page of zeros behind it: encoders and scalers read whole vectors, past
 // a picture's end too.
 class MappedMemory {
  public:
+  enum class Access { Read, ReadAndWrite };
   // Throws std::system_error.
-  MappedMemory(int descriptor, std::size_t length, off_t offset);
+  MappedMemory(int descriptor, std::size_t length, off_t offset, Access access = Access::Read);
   ~MappedMemory();
   MappedMemory(const MappedMemory&) = delete;
   MappedMemory& operator=(const MappedMemory&) = delete;
