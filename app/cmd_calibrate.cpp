@@ -111,13 +111,13 @@ void check_outputs(const CalibrateArguments& arguments) {
 int run(const CalibrateArguments& arguments) {
   check_outputs(arguments);
   const Calibration c = calibrate(arguments);
-  std::cout << summary_text(c);
   if (!arguments.report.empty()) write_whole(arguments.report, report_html(c), arguments.overwrite);
   const bool rejected = c.judgement.verdict == calib::Verdict::Rejected;
   if (!arguments.output.empty() && (!rejected || arguments.accept)) {
     write_whole(arguments.output, calib::camera_text(c.solution.camera, format_of(arguments.format), note_of(c)),
                 arguments.overwrite);
   }
+  std::cout << summary_text(c) << std::flush;
   if (rejected && !arguments.accept) {
     std::cerr << "skyshaft: calibration rejected: " << c.judgement.findings.front().what << '\n'
               << c.judgement.findings.front().to_do

@@ -18,12 +18,14 @@ struct Program {
 
 // One function a subcommand, each in app/cmd_NAME.cpp: adds its options to `app` and sets program.action when chosen.
 // To add one: declare it here, call it in app/main.cpp, list its source in app/CMakeLists.txt.
+void add_board_command(CLI::App& app, Program& program);
 void add_calibrate_command(CLI::App& app, Program& program);
 void add_contact_command(CLI::App& app, Program& program);
 void add_detect_command(CLI::App& app, Program& program);
 void add_doctor_command(CLI::App& app, Program& program);
 void add_explain_command(CLI::App& app, Program& program);
 void add_live_command(CLI::App& app, Program& program);
+void add_map_command(CLI::App& app, Program& program);
 void add_process_command(CLI::App& app, Program& program);
 void add_render_command(CLI::App& app, Program& program);
 void add_sky_command(CLI::App& app, Program& program);

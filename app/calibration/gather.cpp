@@ -4,14 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <filesystem>
 #include <set>
 #include <thread>
 
 #include "app/calibration/board_file.h"
 #include "app/calibration/corners_cache.h"
+#include "app/calibration/inputs.h"
 #include "app/pipeline/interrupt.h"
 #include "app/pipeline/progress.h"
 #include "ar/capture/source.h"
@@ -24,46 +22,12 @@
 namespace app {
 namespace {
 
-constexpr double kLookEvery = 0.1;     // s of a recording
-constexpr double kMostFrames = 400.0;  // looked at in one
-
 int detector_threads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-int frames_to_skip(const ar::SourceInfo& info) {
-  const double rate = info.frame_rate.num > 0 ? static_cast<double>(info.frame_rate.num) / info.frame_rate.den : 30.0;
-  const double count = info.frame_count ? static_cast<double>(*info.frame_count) : 0.0;
-  return std::max(1, static_cast<int>(std::ceil(std::max(rate * kLookEvery - 0.5, count / kMostFrames))));
-}
-
-// The pictures of a folder or a pattern one by one, so that each is known by its own name.
-std::vector<std::string> one_by_one(const std::vector<std::string>& inputs) {
-  static const std::set<std::string> kinds{".bmp", ".jpeg", ".jpg", ".pgm", ".png", ".ppm", ".tif", ".tiff", ".webp"};
-  std::vector<std::string> files;
-  for (const std::string& input : inputs) {
-    std::error_code error;
-    if (!std::filesystem::is_directory(input, error)) {
-      files.push_back(input);
-      continue;
-    }
-    std::vector<std::string> inside;
-    for (const auto& entry : std::filesystem::directory_iterator(input)) {
-      std::string kind = entry.path().extension().string();
-      std::transform(kind.begin(), kind.end(), kind.begin(),
-                     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-      if (kinds.contains(kind)) inside.push_back(entry.path().string());
-    }
-    if (inside.empty())
-      throw ar::InputError(fmt::format("{}: no pictures in this folder\naccepted: {}", input, fmt::join(kinds, ", ")));
-    std::sort(inside.begin(), inside.end());
-    files.insert(files.end(), inside.begin(), inside.end());
-  }
-  return files;
-}
-
 LookedAt look_at(const std::string& input, calib::BoardFinder& finder, Progress& progress, int& pictures) {
-  const auto source = ar::open_source(input);
+  const auto source = open_quietly(input);
   LookedAt looked{input, source->info().format.width, source->info().format.height, !source->info().path.empty(), {}};
   const int every = looked.video ? frames_to_skip(source->info()) : 1;
   cv::Mat room;
@@ -99,7 +63,7 @@ double sharpest_edge_px(const cv::Mat& grey8) {
 }
 
 std::string instead_of_board(const calib::Board& board, const std::string& input) {
-  const auto source = ar::open_source(input);
+  const auto source = open_quietly(input);
   const auto frame = source->next();
   if (!frame) return "";
   cv::Mat room;
