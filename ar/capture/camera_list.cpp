@@ -3,6 +3,10 @@
 #include "ar/capture/v4l2_device.h"
 #include "ar/error.h"
 
+#ifdef SKYSHAFT_LIBCAMERA
+#include "ar/capture/libcamera_source.h"
+#endif
+
 namespace ar {
 
 std::vector<CameraListing> list_cameras() {
@@ -21,6 +25,9 @@ std::vector<CameraListing> list_cameras() {
     }
     cameras.push_back(std::move(camera));
   }
+#ifdef SKYSHAFT_LIBCAMERA
+  for (CameraListing& camera : list_libcamera_cameras()) cameras.push_back(std::move(camera));
+#endif
   return cameras;
 }
 

@@ -43,6 +43,9 @@ struct MuxerDeleter {
 struct FilterGraphDeleter {
   void operator()(AVFilterGraph* graph) const { avfilter_graph_free(&graph); }
 };
+struct BufferDeleter {
+  void operator()(AVBufferRef* buffer) const { av_buffer_unref(&buffer); }
+};
 struct BufferPoolDeleter {
   void operator()(AVBufferPool* pool) const { av_buffer_pool_uninit(&pool); }
 };
@@ -53,6 +56,7 @@ using CodecPtr = std::unique_ptr<AVCodecContext, CodecDeleter>;
 using DemuxerPtr = std::unique_ptr<AVFormatContext, DemuxerDeleter>;
 using MuxerPtr = std::unique_ptr<AVFormatContext, MuxerDeleter>;
 using FilterGraphPtr = std::unique_ptr<AVFilterGraph, FilterGraphDeleter>;
+using BufferPtr = std::unique_ptr<AVBufferRef, BufferDeleter>;
 using BufferPoolPtr = std::unique_ptr<AVBufferPool, BufferPoolDeleter>;
 
 // Throw std::bad_alloc when memory is out.

@@ -42,6 +42,9 @@ struct ExposureInfo {
   std::optional<double> exposure_s;
   std::optional<double> iso;
   std::optional<double> f_number;
+  std::optional<double> gain;                 // analogue times digital, 1: none
+  std::optional<double> color_temperature_k;  // that the camera balanced its colours for
+  std::optional<double> lux;                  // its own estimate of the light on the scene
 };
 
 // One upright picture: three planes (Y, Cb, Cr; or G, B, R where color.matrix is Rgb), row 0 at the top. Moves

@@ -7,15 +7,6 @@
 #include "ar/capture/ffmpeg.h"
 #include "ar/capture/v4l2_device.h"
 
-namespace ar::ffmpeg {
-
-struct BufferDeleter {
-  void operator()(AVBufferRef* buffer) const { av_buffer_unref(&buffer); }
-};
-using BufferPtr = std::unique_ptr<AVBufferRef, BufferDeleter>;
-
-}  // namespace ar::ffmpeg
-
 namespace ar::v4l2 {
 
 // What the driver filled.
