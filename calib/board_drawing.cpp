@@ -209,7 +209,7 @@ cv::Size2d choose_paper(const PaperOptions& options, const cv::Size2d& needed) {
 
 Page page_of(const Board& board, const Drawing& drawing, const PaperOptions& options) {
   const cv::Rect2d bounds = bounds_of(drawing);
-  const double around = options.margin_mm + drawing.white_mm;
+  const double around = std::max(options.margin_mm, drawing.white_mm);  // what is not printed is white too
   const cv::Size2d needed(bounds.width + 2.0 * around, bounds.height + 2.0 * around + kRulerRoom);
   const cv::Size2d paper = choose_paper(options, needed);
   Page page;

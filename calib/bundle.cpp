@@ -247,7 +247,7 @@ bool minimise(Bundle& bundle, const MinimiseOptions& options) {
       options.hold_intrinsics && !bundle.frees_offsets() ? ceres::DENSE_QR : ceres::DENSE_SCHUR;
   if (settings.linear_solver_type == ceres::DENSE_SCHUR) settings.linear_solver_ordering = poses_first(bundle, problem);
   settings.max_num_iterations = 200;
-  settings.function_tolerance = 1e-11;
+  settings.function_tolerance = options.tolerance;
   settings.gradient_tolerance = 1e-12;
   settings.parameter_tolerance = 1e-10;
   settings.logging_type = ceres::SILENT;

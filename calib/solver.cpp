@@ -8,12 +8,14 @@
 #include "ar/track/lens.h"
 #include "calib/bundle.h"
 #include "calib/start.h"
+#include "calib/weak_direction.h"
 
 namespace calib {
 namespace {
 
 constexpr std::size_t kFewestPoints = 4;  // of a view that has a pose
 constexpr double kOutlierSigmas = 5.0;    // one honest corner in 270,000 is that far off
+constexpr double kWeak = 1e-6;            // conditioning below which derivatives at the solution tell too little
 constexpr double kQuietestPx = 0.02;      // corners that agree better than that are all believed
 
 std::array<double, 6> numbers_of(const ar::Rigid3& pose) {
@@ -31,11 +33,11 @@ double squared(const cv::Point2d& p) {
 }
 
 // The pose that explains a view best, of those that its plane allows.
-std::optional<ar::Rigid3> best_pose(const Board& board, const Sighting& view, const ar::CameraModel& camera) {
+std::optional<ar::Rigid3> best_pose(const Board& board, const Sighting& view, const ar::Lens& lens) {
   std::optional<ar::Rigid3> best;
   double best_rms = std::numeric_limits<double>::infinity();
-  for (const ar::Rigid3& pose : poses_of(board, view, camera)) {
-    const double rms = view_rms_px(board, view, camera, pose);
+  for (const ar::Rigid3& pose : poses_of(board, view, lens)) {
+    const double rms = view_rms_px(board, view, lens, pose);
     if (rms >= best_rms) continue;
     best = pose;
     best_rms = rms;
@@ -62,10 +64,11 @@ Bundle make_bundle(const Board& board, const Sightings& sightings, const SolveOp
 
 // Views that no pose explains are left out from the beginning.
 void place_views(Bundle& bundle, const ar::CameraModel& camera) {
+  const ar::Lens lens(camera);
   for (std::size_t v = 0; v < bundle.views.size(); ++v) {
-    const auto pose = best_pose(*bundle.board, *bundle.views[v], camera);
+    const auto pose = best_pose(*bundle.board, *bundle.views[v], lens);
     if (pose) bundle.poses[v] = numbers_of(*pose);
-    if (!pose || !std::isfinite(view_rms_px(*bundle.board, *bundle.views[v], camera, *pose))) {
+    if (!pose || !std::isfinite(view_rms_px(*bundle.board, *bundle.views[v], lens, *pose))) {
       bundle.used[v].assign(bundle.used[v].size(), false);
     }
   }
@@ -83,9 +86,10 @@ double view_cost(const Bundle& bundle, std::size_t view) {
 // A flat board far away has two poses that look nearly alike; while the lens was not yet known, the wrong one may have
 // looked better. Each view gets the other one tried with the lens as it now is.
 bool turn_views_over(Bundle& bundle, const ar::CameraModel& camera) {
+  const ar::Lens lens(camera);
   bool turned = false;
   for (std::size_t v = 0; v < bundle.views.size(); ++v) {
-    const auto poses = poses_of(*bundle.board, *bundle.views[v], camera);
+    const auto poses = poses_of(*bundle.board, *bundle.views[v], lens);
     for (const ar::Rigid3& pose : poses) {
       Bundle attempt = bundle;
       for (std::size_t other = 0; other < bundle.views.size(); ++other) {
@@ -93,6 +97,7 @@ bool turn_views_over(Bundle& bundle, const ar::CameraModel& camera) {
       }
       attempt.poses[v] = numbers_of(pose);
       MinimiseOptions options;
+      options.tolerance = 1e-5;
       options.robust_scale_px = 1.0;
       options.hold_intrinsics = true;
       if (ar::angle_between(pose.rotation, pose_of(bundle.poses[v]).rotation) < 0.05) continue;
@@ -189,8 +194,10 @@ Solution described(const Bundle& bundle, const Sightings& sightings) {
   out.rms_px = out.points_used > 0 ? std::sqrt(sum / out.points_used) : 0.0;
   out.sigma_px = freedom > 0.0 ? std::sqrt(sum / freedom) : std::numeric_limits<double>::infinity();
   const Information information = intrinsics_information(bundle, std::max(out.sigma_px, kQuietestPx));
-  out.covariance = information.covariance * (out.sigma_px * out.sigma_px);
+  out.local_covariance = information.covariance * (out.sigma_px * out.sigma_px);
+  out.covariance = out.local_covariance;
   out.conditioning = information.conditioning;
+  if (out.conditioning < kWeak) out.covariance = widened_along_weakest(bundle, out.local_covariance, out.sigma_px);
   if (bundle.frees_offsets()) {
     for (const auto& offset : bundle.offsets) out.board_error.emplace_back(offset[0], offset[1], offset[2]);
   }
@@ -200,6 +207,7 @@ Solution described(const Bundle& bundle, const Sightings& sightings) {
 // Distortion comes in when focal length and poses are about right: before, it would explain what they should.
 bool first_fit(Bundle& bundle, const SolveOptions& options) {
   MinimiseOptions robust;
+  robust.tolerance = 1e-5;
   robust.robust_scale_px = options.start ? 1.0 : 3.0;
   robust.hold_distortion = true;
   if (!options.start && !minimise(bundle, robust)) return false;
@@ -237,6 +245,7 @@ std::optional<Solution> solve(const Board& board, const Sightings& sightings, co
   if (!first_fit(bundle, options)) return std::nullopt;
   const auto camera_now = [&] { return camera_of(bundle.lens, bundle.intrinsics, sightings.width, sightings.height); };
   MinimiseOptions robust;
+  robust.tolerance = 1e-5;
   robust.robust_scale_px = 1.0;
   if (!options.start && turn_views_over(bundle, camera_now()) && !minimise(bundle, robust)) return std::nullopt;
   bundle.free_layout = layout;
@@ -255,7 +264,7 @@ std::optional<Solution> solve(const Board& board, const Sightings& sightings, co
 
 std::optional<PoseFit> fit_view(const Board& board, const Sighting& view, const std::vector<bool>& used,
                                 const ar::CameraModel& camera) {
-  const auto pose = best_pose(board, view, camera);
+  const auto pose = best_pose(board, view, ar::Lens(camera));
   if (!pose) return std::nullopt;
   Sightings one;
   one.width = camera.width;

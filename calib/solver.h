@@ -35,7 +35,11 @@ struct ViewFit {
 struct Solution {
   LensChoice lens = LensChoice::Pinhole;
   std::vector<double> intrinsics;  // as intrinsics_names()
-  cv::Mat_<double> covariance;     // of the intrinsics; infinite on the diagonal where they are undetermined
+  // Of the intrinsics; infinite on the diagonal where they are undetermined. The first tells how far each number may be
+  // off, the way to where it may be being curved (see widened_along_weakest()); the second is what the derivatives at
+  // the solution say, right for what changes in proportion, such as the picture's places.
+  cv::Mat_<double> covariance;
+  cv::Mat_<double> local_covariance;
   ar::CameraModel camera;
   std::vector<ViewFit> views;          // as the sightings
   std::vector<cv::Vec3d> board_error;  // solved displacement of each of the board's points, m; empty when not solved

@@ -48,11 +48,12 @@ double median(std::vector<double> values) {
 
 double cost_of(const Board& board, const Sightings& sightings, const std::vector<std::size_t>& views,
                const ar::CameraModel& camera) {
+  const ar::Lens lens(camera);
   std::vector<double> errors;
   for (std::size_t v : views) {
     double best = kUnexplained;
-    for (const ar::Rigid3& pose : poses_of(board, sightings.views[v], camera)) {
-      best = std::min(best, view_rms_px(board, sightings.views[v], camera, pose));
+    for (const ar::Rigid3& pose : poses_of(board, sightings.views[v], lens)) {
+      best = std::min(best, view_rms_px(board, sightings.views[v], lens, pose));
     }
     // A view that no focal length explains must not decide between them.
     errors.push_back(std::min(best, static_cast<double>(sightings.width)));
@@ -71,8 +72,7 @@ ar::CameraModel centred_camera(LensChoice lens, double focal_px, int width, int 
 
 }  // namespace
 
-std::vector<ar::Rigid3> poses_of(const Board& board, const Sighting& view, const ar::CameraModel& camera) {
-  const ar::Lens lens(camera);
+std::vector<ar::Rigid3> poses_of(const Board& board, const Sighting& view, const ar::Lens& lens) {
   std::vector<cv::Point3d> on_board;
   std::vector<cv::Point2d> ideal;
   for (std::size_t i = 0; i < view.points.size(); ++i) {
@@ -99,9 +99,8 @@ std::vector<ar::Rigid3> poses_of(const Board& board, const Sighting& view, const
   return poses;
 }
 
-double view_rms_px(const Board& board, const Sighting& view, const ar::CameraModel& camera,
+double view_rms_px(const Board& board, const Sighting& view, const ar::Lens& lens,
                    const ar::Rigid3& camera_from_board) {
-  const ar::Lens lens(camera);
   double sum = 0.0;
   for (std::size_t i = 0; i < view.points.size(); ++i) {
     const auto pixel = lens.project(camera_from_board * board.points[static_cast<std::size_t>(view.points[i])]);

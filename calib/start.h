@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ar/track/camera.h"
+#include "ar/track/lens.h"
 #include "ar/track/pose.h"
 #include "calib/board.h"
 #include "calib/lens_choice.h"
@@ -18,11 +19,10 @@ struct Start {
 };
 
 // Poses that explain a view through a known camera: both of a flat board (Collins and Bartoli 2014), best first.
-std::vector<ar::Rigid3> poses_of(const Board& board, const Sighting& view, const ar::CameraModel& camera);
+std::vector<ar::Rigid3> poses_of(const Board& board, const Sighting& view, const ar::Lens& lens);
 
 // Root of the mean squared distance of a view's points at that pose; infinite when one cannot be projected.
-double view_rms_px(const Board& board, const Sighting& view, const ar::CameraModel& camera,
-                   const ar::Rigid3& camera_from_board);
+double view_rms_px(const Board& board, const Sighting& view, const ar::Lens& lens, const ar::Rigid3& camera_from_board);
 
 // Tries focal lengths from that of a fisheye to that of a telephoto and keeps the one that explains the views best.
 // nullopt when no view has 4 points that any camera explains.

@@ -167,8 +167,7 @@ bool minimise(TagBundle& bundle, double robust_scale_px) {
   return true;
 }
 
-double observation_rms_px(const TagBundle& bundle, const TagObservation& seen) {
-  const ar::Lens lens(bundle.lens);
+double observation_rms_px(const ar::Lens& lens, const TagBundle& bundle, const TagObservation& seen) {
   const ar::Rigid3 camera_from_tag = bundle.map_from_camera[seen.camera].inverse() * bundle.map_from_tag[seen.tag];
   const auto in_tag = ar::corners_in_tag(bundle.tag_size_m[seen.tag]);
   double sum = 0.0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ar/track/camera.h"
+#include "ar/track/lens.h"
 #include "ar/track/pose.h"
 
 namespace calib {
@@ -30,7 +31,7 @@ struct TagBundle {
 bool minimise(TagBundle& bundle, double robust_scale_px);
 
 // Root of the mean squared distance of an observation's corners; infinite where they cannot be projected.
-double observation_rms_px(const TagBundle& bundle, const TagObservation& observation);
+double observation_rms_px(const ar::Lens& lens, const TagBundle& bundle, const TagObservation& observation);
 
 // Covariance of each tag's pose, for corners of 1 px noise, in the six numbers of ar::moved() (turn and shift along the
 // axes of the map), the cameras' poses left free. Zero for the first tag, infinite where undetermined.

@@ -232,8 +232,9 @@ double median(std::vector<double> values) {
 
 // Leaves out tags in pictures that are far off: more than a pixel and four times the usual.
 bool choose_used(TagBundle& bundle) {
+  const ar::Lens lens(bundle.lens);
   std::vector<double> rms;
-  for (const TagObservation& seen : bundle.observations) rms.push_back(observation_rms_px(bundle, seen));
+  for (const TagObservation& seen : bundle.observations) rms.push_back(observation_rms_px(lens, bundle, seen));
   const double limit = std::max(1.0, 4.0 * median(rms));
   bool changed = false;
   for (std::size_t i = 0; i < rms.size(); ++i) {
@@ -244,6 +245,7 @@ bool choose_used(TagBundle& bundle) {
 }
 
 void describe(const TagBundle& bundle, const std::vector<int>& ids, MapResult& out) {
+  const ar::Lens lens(bundle.lens);
   double sum = 0.0;
   std::vector<double> tag_sum(ids.size(), 0.0);
   std::set<std::size_t> cameras;
@@ -252,7 +254,7 @@ void describe(const TagBundle& bundle, const std::vector<int>& ids, MapResult& o
       ++out.observations_rejected;
       continue;
     }
-    const double rms = observation_rms_px(bundle, seen);
+    const double rms = observation_rms_px(lens, bundle, seen);
     sum += 4.0 * rms * rms;
     tag_sum[seen.tag] += rms * rms;
     out.worst_px = std::max(out.worst_px, rms);

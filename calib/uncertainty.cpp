@@ -128,7 +128,7 @@ std::vector<double> projected_sigma_px(const Solution& solution, const Grid& gri
     }
     cv::Mat_<double> seen;
     cv::subtract(cell.by_intrinsics, product(cv::Mat(cell.by_rotation), hiding), seen);
-    const cv::Mat_<double> covariance = product(product(seen, solution.covariance), seen, cv::GEMM_2_T);
+    const cv::Mat_<double> covariance = product(product(seen, solution.local_covariance), seen, cv::GEMM_2_T);
     const double value = largest_sigma(cv::Matx22d(covariance));
     sigma.push_back(std::isfinite(value) ? value : std::numeric_limits<double>::infinity());
   }

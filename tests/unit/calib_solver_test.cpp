@@ -1,0 +1,182 @@
+// The solver and its judge on boards seen without pictures.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ar/track/lens.h"
+#include "calib/board_check.h"
+#include "calib/judge.h"
+#include "calib/projection.h"
+#include "calib/solver.h"
+#include "calib/view_choice.h"
+#include "tests/lab/board_views.h"
+
+namespace {
+
+using calib::LensChoice;
+using calib::testing::see;
+using calib::testing::true_camera;
+using calib::testing::ViewSet;
+using ::testing::HasSubstr;
+
+const calib::Board kBoard = calib::make_chessboard(7, 5, 0.03, 0.03);
+
+calib::SolveOptions with_lens(LensChoice lens) {
+  calib::SolveOptions options;
+  options.lens = lens;
+  return options;
+}
+
+ViewSet quiet(int views) {
+  ViewSet set;
+  set.views = views;
+  set.noise_px = 0.0;
+  return set;
+}
+
+class EveryLens : public ::testing::TestWithParam<LensChoice> {};
+
+TEST_P(EveryLens, IsProjectedByTheSolverAsByTheTracker) {
+  const ar::CameraModel camera = true_camera(GetParam());
+  const ar::Lens lens(camera);
+  const std::vector<double> v = calib::intrinsics_of(GetParam(), camera);
+  for (double x = -0.6; x <= 0.6; x += 0.15) {
+    for (double y = -0.4; y <= 0.4; y += 0.1) {
+      const double point[3] = {2.0 * x, 2.0 * y, 2.0};
+      double px[2];
+      ASSERT_TRUE(calib::project_point(GetParam(), v.data(), point, px));
+      const auto expected = lens.project({point[0], point[1], point[2]});
+      ASSERT_TRUE(expected.has_value());
+      EXPECT_NEAR(px[0], expected->x, 1e-9);
+      EXPECT_NEAR(px[1], expected->y, 1e-9);
+    }
+  }
+}
+
+TEST_P(EveryLens, IsFoundWithoutStartingValues) {
+  const ar::CameraModel truth = true_camera(GetParam());
+  const auto solution = calib::solve(kBoard, see(kBoard, truth, quiet(10)), with_lens(GetParam()));
+  ASSERT_TRUE(solution.has_value());
+  EXPECT_LT(solution->rms_px, 1e-3);
+  for (int i = 0; i < 2; ++i) EXPECT_NEAR(solution->camera.intrinsics(i, i), truth.intrinsics(i, i), 0.2);
+  EXPECT_NEAR(solution->camera.intrinsics(0, 2), truth.intrinsics(0, 2), 0.2);
+  EXPECT_NEAR(solution->camera.intrinsics(1, 2), truth.intrinsics(1, 2), 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lenses, EveryLens,
+                         ::testing::Values(LensChoice::Pinhole, LensChoice::PlumbBob2, LensChoice::PlumbBob4,
+                                           LensChoice::Fisheye4, LensChoice::PlumbBob5, LensChoice::Rational8));
+
+TEST(Solver, LeavesOutCornersThatAreWrong) {
+  ViewSet set;
+  set.views = 8;
+  calib::Sightings sightings = see(kBoard, true_camera(LensChoice::PlumbBob4), set);
+  sightings.views[2].px[7] += cv::Point2d(4.0, -3.0);
+  sightings.views[5].px[0] += cv::Point2d(0.0, 2.0);
+  const auto solution = calib::solve(kBoard, sightings, with_lens(LensChoice::PlumbBob4));
+  ASSERT_TRUE(solution.has_value());
+  EXPECT_EQ(solution->points_rejected, 2);
+  EXPECT_FALSE(solution->views[2].used[7]);
+  EXPECT_FALSE(solution->views[5].used[0]);
+  EXPECT_NEAR(solution->sigma_px, set.noise_px, 0.01);  // 5 % of 560 numbers' scatter, twice
+}
+
+TEST(Solver, FindsABoardThatIsNotFlat) {
+  calib::Board bent = kBoard;
+  for (cv::Vec3d& p : bent.points) p[2] = 0.004 * std::sin(20.0 * p[0]);  // up to 4 mm
+  ViewSet set;
+  const calib::Sightings sightings = see(bent, true_camera(LensChoice::PlumbBob2), set);
+  calib::SolveOptions options = with_lens(LensChoice::PlumbBob2);
+  const auto as_flat = calib::solve(kBoard, sightings, options);
+  options.solve_flatness = true;
+  options.board_sigma_m = 0.003;
+  const auto solved = calib::solve(kBoard, sightings, options);
+  ASSERT_TRUE(as_flat && solved);
+  EXPECT_GT(as_flat->rms_px, 0.5);
+  EXPECT_LT(solved->rms_px, 0.2);  // the noise is 0.14 px a corner
+  EXPECT_NEAR(solved->camera.intrinsics(0, 0), 1000.0, 3.0 * solved->sigma_of(0));
+}
+
+TEST(Judge, CallsAGoodSetGood) {
+  ViewSet set;
+  set.views = 20;
+  const calib::Sightings sightings = see(kBoard, true_camera(LensChoice::PlumbBob4), set);
+  const auto options = with_lens(LensChoice::PlumbBob4);
+  const auto solution = calib::solve(kBoard, sightings, options);
+  ASSERT_TRUE(solution.has_value());
+  const calib::Judgement judgement = calib::judge(kBoard, sightings, *solution, options);
+  EXPECT_NE(judgement.verdict, calib::Verdict::Rejected) << judgement.sentence(*solution);
+  EXPECT_NEAR(judgement.held_out_rms_px, solution->rms_px, 0.03);
+}
+
+TEST(Judge, NamesHeadOnViews) {
+  ViewSet set;
+  set.most_tilt_rad = 0.03;
+  const calib::Sightings sightings = see(kBoard, true_camera(LensChoice::Pinhole), set);
+  const auto options = with_lens(LensChoice::Pinhole);
+  const auto solution = calib::solve(kBoard, sightings, options);
+  ASSERT_TRUE(solution.has_value());
+  const calib::Judgement judgement = calib::judge(kBoard, sightings, *solution, options);
+  EXPECT_EQ(judgement.verdict, calib::Verdict::Rejected);
+  EXPECT_THAT(judgement.sentence(*solution), HasSubstr("all views are head-on"));
+}
+
+TEST(Judge, NamesASingleView) {
+  const calib::Sightings sightings = see(kBoard, true_camera(LensChoice::Pinhole), quiet(1));
+  const auto options = with_lens(LensChoice::Pinhole);
+  const auto solution = calib::solve(kBoard, sightings, options);
+  ASSERT_TRUE(solution.has_value());
+  const calib::Judgement judgement = calib::judge(kBoard, sightings, *solution, options);
+  EXPECT_EQ(judgement.verdict, calib::Verdict::Rejected);
+  EXPECT_THAT(judgement.sentence(*solution), HasSubstr("one view only"));
+}
+
+TEST(LensChoice, IsTheSimplestThatPredicts) {
+  ViewSet set;
+  set.views = 5;
+  const LensChoice truth = LensChoice::PlumbBob2;
+  const auto chosen = calib::choose_lens(kBoard, see(kBoard, true_camera(truth), set), {}, nullptr);
+  ASSERT_TRUE(chosen.has_value());
+  EXPECT_EQ(calib::to_string(*chosen), calib::to_string(truth));
+}
+
+TEST(BoardCheck, NamesAGapThatIsWrong) {
+  calib::GridSpec grid;
+  grid.columns = 4;
+  grid.rows = 3;
+  grid.size_m = 0.04;
+  grid.gap_x_m = grid.gap_y_m = 0.02;
+  const calib::Board printed = calib::make_tag_grid(grid);
+  grid.gap_x_m = 0.012;
+  const calib::Board in_file = calib::make_tag_grid(grid);
+  ViewSet set;
+  set.views = 4;
+  const calib::Sightings sightings = see(printed, true_camera(LensChoice::Pinhole), set);
+  EXPECT_FALSE(calib::wrong_step(printed, sightings.views, 0.06).has_value());
+  const auto wrong = calib::wrong_step(in_file, sightings.views, 0.06);
+  ASSERT_TRUE(wrong.has_value());
+  EXPECT_NEAR(std::abs(wrong->measured.x), 1.5, 0.02);
+  EXPECT_NEAR(std::abs(wrong->expected.x), 1.3, 1e-9);
+}
+
+TEST(ViewChoice, LeavesOutMovingBlurredAndRepeatedFrames) {
+  ViewSet set = quiet(12);
+  const calib::Sightings places = see(kBoard, true_camera(LensChoice::Pinhole), set);
+  std::vector<calib::Sighting> frames;  // each place held still for five frames, then gone in one
+  for (const calib::Sighting& place : places.views) {
+    for (int i = 0; i < 5; ++i) {
+      frames.push_back(place);
+      frames.back().time_s = 0.1 * static_cast<double>(frames.size());
+      frames.back().edge_width_px = i == 4 ? 9.0 : 2.0;
+    }
+  }
+  const auto chosen = calib::choose_views(kBoard, frames, 1280, 960, 40);
+  EXPECT_LE(chosen.size(), 12U);
+  EXPECT_GE(chosen.size(), 8U);
+  for (std::size_t i : chosen) EXPECT_EQ(frames[i].edge_width_px, 2.0) << "frame " << i;
+}
+
+}  // namespace
