@@ -15,6 +15,7 @@
 
 #include "app/calibration/board_words.h"
 #include "app/calibration/inputs.h"
+#include "app/calibration/tag_map_text.h"
 #include "app/commands.h"
 #include "app/error.h"
 #include "app/exit_status.h"
@@ -107,21 +108,12 @@ std::string sigma_text(const calib::MappedTagNote& note) {
 }
 
 std::string map_text(const MapArguments& arguments, const calib::MapResult& result) {
-  std::string text = fmt::format(
-      "# {} tags in one group, RMS {:.3f} px over {} pictures; after each tag its standard deviation relative to tag "
-      "{}\nskyshaft_tags: 1\nfamily: {}\nsize: {:.9g}\nmap:\n",
-      result.map.tags.size(), result.rms_px, result.pictures_used, result.origin, result.map.family,
-      metres_from(arguments.size));
-  for (const auto& [id, tag] : placed(arguments, result).tags) {
-    const cv::Vec3d& p = tag.world_from_tag.translation;
-    const cv::Vec4d q = ar::quaternion_wxyz(tag.world_from_tag.rotation);
-    text += fmt::format(
-        "  - {{ id: {}, position: [{:.6f}, {:.6f}, {:.6f}], orientation: [{:.9f}, {:.9f}, {:.9f}, "
-        "{:.9f}], size: {:.9g} }}  # {}\n",
-        id, p[0], p[1], p[2], q[0], q[1], q[2], q[3], tag.size_m,
-        id == result.origin ? "origin" : sigma_text(result.notes.at(id)));
-  }
-  return text;
+  const std::string heading = fmt::format(
+      "{} tags in one group, RMS {:.3f} px over {} pictures; after each tag its standard deviation relative to tag {}",
+      result.map.tags.size(), result.rms_px, result.pictures_used, result.origin);
+  return tag_map_text(placed(arguments, result), heading, [&](int id) {
+    return id == result.origin ? std::string("origin") : sigma_text(result.notes.at(id));
+  });
 }
 
 void print(const MapArguments& arguments, const calib::MapResult& result) {

@@ -20,12 +20,14 @@ struct Program {
 // To add one: declare it here, call it in app/main.cpp, list its source in app/CMakeLists.txt.
 void add_board_command(CLI::App& app, Program& program);
 void add_calibrate_command(CLI::App& app, Program& program);
+void add_camera_command(CLI::App& app, Program& program);
 void add_contact_command(CLI::App& app, Program& program);
 void add_detect_command(CLI::App& app, Program& program);
 void add_doctor_command(CLI::App& app, Program& program);
 void add_explain_command(CLI::App& app, Program& program);
 void add_live_command(CLI::App& app, Program& program);
 void add_map_command(CLI::App& app, Program& program);
+void add_north_command(CLI::App& app, Program& program);
 void add_process_command(CLI::App& app, Program& program);
 void add_render_command(CLI::App& app, Program& program);
 void add_sky_command(CLI::App& app, Program& program);

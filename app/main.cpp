@@ -51,7 +51,9 @@ void add_commands(CLI::App& cli, app::Program& program) {
   app::add_detect_command(cli, program);
   app::add_board_command(cli, program);
   app::add_calibrate_command(cli, program);
+  app::add_camera_command(cli, program);
   app::add_map_command(cli, program);
+  app::add_north_command(cli, program);
   app::add_sky_command(cli, program);
   app::add_sun_command(cli, program);
   app::add_synth_command(cli, program);
