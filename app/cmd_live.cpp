@@ -12,7 +12,7 @@ namespace {
 
 struct LiveArguments {
   LiveOptions options;
-  std::string size;
+  std::string size;  // WIDTHxHEIGHT
   std::string shafts;
   std::string codec = "h264";
 };
@@ -48,6 +48,9 @@ void add_inputs(CLI::App& command, LiveArguments& arguments) {
 void add_outputs(CLI::App& command, LiveArguments& arguments) {
   LiveOptions& options = arguments.options;
   command.add_flag("--headless", options.headless, "No window; no display is needed");
+  command.add_flag("--full-screen", options.full_screen, "Begin with the window over the whole screen");
+  command.add_option("--stills", options.stills, "Folder for the stills that `s` takes; default: the current one")
+      ->check(CLI::ExistingDirectory);
   command.add_option("--record", options.record,
                      "Video file of what is shown (.mp4, .mkv, .mov), playable even when the program is killed");
   command.add_option("--poses", options.poses, "CSV of the camera's pose in every tracked frame");

@@ -85,10 +85,34 @@ DrawStage::DrawStage(std::optional<int> egl_device, const ar::CameraModel& camer
     : scene_(std::move(scene)),
       pool_(source.format),
       format_(source.format),
-      conditions_(conditions),
-      renderer_(egl_device, camera, SceneStateBuilder(scene_, conditions_), scene_.quality),
+      settings_{.conditions = conditions,
+                .sky = scene_.sky,
+                .medium = scene_.medium,
+                .quality = scene_.quality,
+                .target_ms = target_ms},
+      renderer_(egl_device, camera, SceneStateBuilder(scene_, conditions), scene_.quality),
       ladder_(quality_ladder(scene_.quality)),
       governor_(ladder_.size(), target_ms) {}
+
+void DrawStage::apply(const LiveSettings& settings) {
+  SceneFile scene = scene_;
+  scene.sky = settings.sky;
+  scene.medium = settings.medium;
+  scene.quality = settings.quality;
+  renderer_.set_scene(SceneStateBuilder(scene, settings.conditions));
+  scene_ = std::move(scene);
+  ladder_ = quality_ladder(scene_.quality);
+  if (settings.target_ms != settings_.target_ms) governor_.set_target_ms(settings.target_ms);
+  settings_ = settings;
+  frames_ = 0;  // the exposure is chosen anew
+  renderer_.set_quality(quality());
+}
+
+ShownPicture DrawStage::blank() {
+  ShownPicture blank{.picture = pool_.allocate()};
+  fill_grey(blank.picture);
+  return blank;
+}
 
 TrackedFrame DrawStage::imagined_frame() {
   ar::OutputFrame picture = pool_.allocate();
@@ -118,14 +142,26 @@ void DrawStage::warm_up() {
   renderer_.set_quality(quality());
 }
 
+ExposureChoice DrawStage::exposure_of(const ar::Frame& frame) {
+  if (settings_.exposure_source == ExposureSource::Manual) return {settings_.manual_exposure, "the panel"};
+  const bool told = settings_.exposure_source == ExposureSource::Told;
+  ar::Frame plain;
+  plain.format = frame.format;
+  plain.plane = frame.plane;
+  plain.stride_bytes = frame.stride_bytes;
+  if (told) plain.exposure = frame.exposure;
+  return ::app::choose_exposure(told ? scene_.exposure : std::nullopt, renderer_.light_at(elapsed_s_), {&plain});
+}
+
 void DrawStage::choose_exposure(const ar::Frame& frame) {
-  const bool first = frames_++ == 0;
-  if (!first && frames_ % kEstimateEvery != 0) return;
-  const render::SceneState state = renderer_.light_at(frame.time_s - *start_s_);
-  const ExposureChoice now = ::app::choose_exposure(scene_.exposure, state, {&frame});
-  if (first) {
-    log_light(state);
-    spdlog::info("exposure: white at {:.0f} cd/m2, from {}", 1.0 / now.exposure, now.origin);
+  const bool anew = frames_++ == 0;
+  if (!anew && frames_ % kEstimateEvery != 0) return;
+  const ExposureChoice now = exposure_of(frame);
+  if (anew) {
+    if (exposure_.origin.empty()) {
+      log_light(renderer_.light_at(elapsed_s_));
+      spdlog::info("exposure: white at {:.0f} cd/m2, from {}", 1.0 / now.exposure, now.origin);
+    }
     exposure_ = now;
   } else {
     exposure_.exposure *= std::pow(now.exposure / exposure_.exposure, kEstimateStep);
@@ -137,6 +173,7 @@ ShownPicture DrawStage::draw(TrackedLiveFrame frame) {
   const auto start = LiveClock::now();
   const double time_s = frame.tracked.frame.time_s;
   if (!start_s_) start_s_ = time_s;
+  elapsed_s_ = time_s - *start_s_;
   choose_exposure(frame.tracked.frame);
   FinishedFrame finished = renderer_.render(std::move(frame.tracked), *start_s_, [this] { return pool_.allocate(); });
   if (finished.rendered) {

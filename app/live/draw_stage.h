@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "app/conditions.h"
 #include "app/live/governor.h"
 #include "app/live/live_frame.h"
+#include "app/live/live_settings.h"
 #include "app/process/exposure.h"
 #include "app/process/frame_renderer.h"
 #include "app/scene_file/scene_file.h"
@@ -30,6 +30,17 @@ class DrawStage {
   ShownPicture draw(TrackedLiveFrame frame);
   // The last picture with a mark on it that says that it stands still. Nothing before the first.
   std::optional<ShownPicture> held() const;
+  const std::optional<ShownPicture>& last() const { return last_; }
+
+  void make_current() { renderer_.make_current(); }
+  // A dark picture for as long as there is no other.
+  ShownPicture blank();
+
+  const LiveSettings& settings() const { return settings_; }
+  // From the next frame on. Throws what SceneStateBuilder throws, and leaves all as it was.
+  void apply(const LiveSettings& settings);
+  // Seconds from the first frame to the last drawn.
+  double elapsed_s() const { return elapsed_s_; }
 
   const FrameRenderer& renderer() const { return renderer_; }
   const ExposureChoice& exposure() const { return exposure_; }
@@ -38,17 +49,19 @@ class DrawStage {
 
  private:
   TrackedFrame imagined_frame();
+  ExposureChoice exposure_of(const ar::Frame& frame);
   void choose_exposure(const ar::Frame& frame);
 
-  const SceneFile scene_;
+  SceneFile scene_;
   ar::FramePool pool_;
   const ar::PixelFormat format_;
-  const Conditions conditions_;
+  LiveSettings settings_;
   FrameRenderer renderer_;
   std::vector<render::Quality> ladder_;
   Governor governor_;
   ExposureChoice exposure_;
   std::optional<double> start_s_;  // time of the first frame
+  double elapsed_s_ = 0.0;
   std::int64_t frames_ = 0;
   std::optional<ShownPicture> last_;
 };

@@ -9,7 +9,10 @@
 #include "app/live/draw_stage.h"
 #include "app/live/live_report.h"
 #include "app/live/recorder.h"
+#include "app/live/still_writer.h"
+#include "app/live/tag_errors.h"
 #include "app/live/track_stage.h"
+#include "app/live/window.h"
 #include "app/output_files.h"
 #include "app/pipeline/interrupt.h"
 #include "app/pipeline/progress.h"
@@ -58,12 +61,17 @@ std::unique_ptr<PosesCsv> make_poses(const LiveOptions& options) {
 class Session {
  public:
   explicit Session(const LiveOptions& options);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
   int run();
 
  private:
   bool goes_on() const;
   void show(TrackedLiveFrame frame);
   void show_held();
+  void show_in_window(const ShownPicture& shown);
+  void heed(const WindowWishes& wishes, const ShownPicture& shown);
   void note_times(const ShownPicture& shown, LiveClock::time_point arrived, LiveClock::time_point drawn);
   void finish();
   void say_how_it_went() const;
@@ -76,6 +84,11 @@ class Session {
   DrawStage drawing_;
   TrackStage tracking_;
   std::unique_ptr<Recorder> recorder_;
+  StillWriter stills_;
+  std::unique_ptr<LiveWindow> window_;
+  WindowFacts told_;  // to the window
+  LiveSettings saved_settings_;
+  bool closed_ = false;
   LiveFacts facts_;
   std::optional<LiveClock::time_point> first_shown_;
   LiveClock::time_point last_shown_;
@@ -91,19 +104,31 @@ Session::Session(const LiveOptions& options)
       camera_(choose_camera(options.camera, feed_.info())),
       drawing_(options.egl_device, camera_, feed_.info(), scene_, live_conditions(options, scene_, feed_.info()),
                target_ms(options, scene_, feed_.info())),
-      tracking_(feed_, camera_, *scene_.tags, make_poses(options)) {
+      tracking_(feed_, camera_, *scene_.tags, make_poses(options)),
+      stills_(options.stills, feed_.info()),
+      saved_settings_(drawing_.settings()) {
   drawing_.enable_timing(options.report.has_value());
   if (options.record) recorder_ = std::make_unique<Recorder>(*options.record, feed_.info(), options.sink);
 }
 
+Session::~Session() {
+  if (!window_) return;
+  window_.reset();
+  drawing_.make_current();  // what is left lives there
+}
+
 bool Session::goes_on() const {
-  if (InterruptGuard::requested() || tracking_.over()) return false;
+  if (closed_ || InterruptGuard::requested() || tracking_.over()) return false;
   if (!options_.duration_s || !first_shown_) return true;
   return milliseconds_between(*first_shown_, LiveClock::now()) < 1e3 * *options_.duration_s;
 }
 
 int Session::run() {
   drawing_.warm_up();
+  if (!options_.headless) {
+    window_ = std::make_unique<LiveWindow>(feed_.info().format, "Skyshaft: " + feed_.info().name, options_.full_screen);
+    show_in_window(drawing_.blank());
+  }
   feed_.start();
   tracking_.start();
   {
@@ -114,6 +139,8 @@ int Session::run() {
         progress.update(facts_.presented);
       } else if (!feed_.lost().empty()) {
         show_held();
+      } else if (window_) {
+        show_in_window(drawing_.last() ? *drawing_.last() : drawing_.blank());
       }
     }
   }
@@ -129,19 +156,27 @@ int Session::run() {
 
 void Session::show(TrackedLiveFrame frame) {
   facts_.times.track.add(frame.track_ms);
+  if (window_) {
+    told_.state = ar::to_string(frame.tracked.track.state);
+    told_.track_ms = frame.track_ms;
+    told_.tags = tag_errors(camera_, *scene_.tags, frame.tracked.track, frame.detections);
+  }
   const LiveClock::time_point arrived = frame.arrived;
   const LiveClock::time_point start = LiveClock::now();
   const ShownPicture shown = drawing_.draw(std::move(frame));
   const LiveClock::time_point drawn = LiveClock::now();
   facts_.times.draw.add(milliseconds_between(start, drawn));
+  told_.draw_ms = milliseconds_between(start, drawn);
   if (recorder_) recorder_->show(shown);
+  if (window_) show_in_window(shown);
   note_times(shown, arrived, drawn);
 }
 
 void Session::note_times(const ShownPicture& shown, LiveClock::time_point arrived, LiveClock::time_point drawn) {
   const LiveClock::time_point now = LiveClock::now();
   facts_.times.present.add(milliseconds_between(drawn, now));
-  facts_.times.latency.add(age_ms(shown.time_s, now));
+  told_.latency_ms = age_ms(shown.time_s, now);
+  facts_.times.latency.add(told_.latency_ms);
   facts_.times.pipeline.add(milliseconds_between(arrived, now));
   if (first_shown_) facts_.times.interval.add(milliseconds_between(last_shown_, now));
   if (!first_shown_) first_shown_ = now;
@@ -149,9 +184,39 @@ void Session::note_times(const ShownPicture& shown, LiveClock::time_point arrive
   ++facts_.presented;
 }
 
+void Session::show_in_window(const ShownPicture& shown) {
+  const FeedCounts feed = feed_.counts();
+  const render::Quality& quality = drawing_.quality();
+  told_.lost = feed_.lost();
+  told_.per_second = facts_.times.interval.count() > 0 ? 1e3 / facts_.times.interval.mean_ms() : 0.0;
+  told_.dropped = feed.stale + feed.missed + feed.damaged + tracking_.stale();
+  told_.quality = fmt::format("drawn at {:.2f} of full size{}, {:.0f} ms behind", quality.render_scale,
+                              quality.anti_alias ? ", smooth edges" : "", told_.latency_ms);
+  told_.exposure = drawing_.exposure().exposure;
+  told_.elapsed_s = drawing_.elapsed_s();
+  const WindowWishes wishes = window_->show(shown, told_, drawing_.settings());
+  drawing_.make_current();
+  heed(wishes, shown);
+}
+
+void Session::heed(const WindowWishes& wishes, const ShownPicture& shown) {
+  closed_ = closed_ || wishes.close;
+  try {
+    if (wishes.settings) drawing_.apply(*wishes.settings);
+    if (wishes.still) window_->say(stills_.write(shown));
+    if (!wishes.save) return;
+    save_settings(options_.scene, saved_settings_, drawing_.settings(), drawing_.elapsed_s());
+    saved_settings_ = drawing_.settings();
+    window_->say("written into " + options_.scene.string());
+  } catch (const std::runtime_error& error) {
+    window_->say(error.what());
+  }
+}
+
 void Session::show_held() {
   const auto held = drawing_.held();
   if (!held) return;
+  if (window_) show_in_window(*held);
   ++facts_.held;
   if (recorder_) recorder_->show(*held);
 }
@@ -164,6 +229,7 @@ void Session::finish() {
     facts_.recorded = recorder_->recorded();
     facts_.left_out = recorder_->left_out();
   }
+  stills_.finish();
   facts_.feed = feed_.counts();
   facts_.tracked = tracking_.counts();
   facts_.stale_tracked = tracking_.stale();

@@ -22,6 +22,8 @@ class FrameRenderer {
   FrameRenderer(std::optional<int> egl_device, const ar::CameraModel& camera, SceneStateBuilder scene,
                 const render::Quality& quality);
 
+  // Where another GL context was current on this thread meanwhile.
+  void make_current() { context_.make_current(); }
   void set_exposure(double exposure) { exposure_ = exposure; }
   // From the next frame on.
   void set_quality(const render::Quality& quality) { quality_ = quality; }
