@@ -11,9 +11,9 @@
 namespace render {
 
 // Lays a small merged picture over a large real one on the CPU, in linear light: bilinear between the small picture's
-// pixels, tables for the transfer functions, each of `threads` doing some rows. Against the GL's CompositePass it takes
-// a sixth of the time on a machine that has no GPU, and needs neither the real picture nor the result moved to the GL.
-// What nothing is laid over stays as it is, to the bit.
+// pixels, tables for the transfer functions, each of `threads` doing some rows. Without a GPU it takes a quarter of the
+// processor time that the GL's CompositePass does, and neither the real picture nor the result has to pass through the
+// GL. What nothing is laid over stays as it is, to the bit.
 class QuickComposite {
  public:
   explicit QuickComposite(int threads);
