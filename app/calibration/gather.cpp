@@ -28,7 +28,11 @@ int detector_threads() {
 
 LookedAt look_at(const std::string& input, calib::BoardFinder& finder, Progress& progress, int& pictures) {
   const auto source = open_quietly(input);
-  LookedAt looked{input, source->info().format.width, source->info().format.height, !source->info().path.empty(), {}};
+  LookedAt looked{input,
+                  source->info().format.width,
+                  source->info().format.height,
+                  !is_picture(input) && !source->info().path.empty(),
+                  {}};
   const int every = looked.video ? frames_to_skip(source->info()) : 1;
   cv::Mat room;
   std::int64_t index = 0;

@@ -18,10 +18,18 @@ namespace {
 constexpr double kLookEvery = 0.1;     // s of a recording
 constexpr double kMostFrames = 400.0;  // looked at in one
 
+const std::set<std::string> kPictures{".bmp", ".jpeg", ".jpg", ".pgm", ".png", ".ppm", ".tif", ".tiff", ".webp"};
+
 }  // namespace
 
+bool is_picture(const std::string& input) {
+  std::string kind = std::filesystem::path(input).extension().string();
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return kPictures.contains(kind);
+}
+
 std::vector<std::string> one_by_one(const std::vector<std::string>& inputs) {
-  static const std::set<std::string> kinds{".bmp", ".jpeg", ".jpg", ".pgm", ".png", ".ppm", ".tif", ".tiff", ".webp"};
   std::vector<std::string> files;
   for (const std::string& input : inputs) {
     std::error_code error;
@@ -31,13 +39,11 @@ std::vector<std::string> one_by_one(const std::vector<std::string>& inputs) {
     }
     std::vector<std::string> inside;
     for (const auto& entry : std::filesystem::directory_iterator(input)) {
-      std::string kind = entry.path().extension().string();
-      std::transform(kind.begin(), kind.end(), kind.begin(),
-                     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-      if (kinds.contains(kind)) inside.push_back(entry.path().string());
+      if (is_picture(entry.path().string())) inside.push_back(entry.path().string());
     }
     if (inside.empty())
-      throw ar::InputError(fmt::format("{}: no pictures in this folder\naccepted: {}", input, fmt::join(kinds, ", ")));
+      throw ar::InputError(
+          fmt::format("{}: no pictures in this folder\naccepted: {}", input, fmt::join(kPictures, ", ")));
     std::sort(inside.begin(), inside.end());
     files.insert(files.end(), inside.begin(), inside.end());
   }

@@ -12,6 +12,9 @@ namespace app {
 // for a folder without pictures.
 std::vector<std::string> one_by_one(const std::vector<std::string>& inputs);
 
+// By the name's ending.
+bool is_picture(const std::string& input);
+
 // Opens an input to measure brightness in it: what its colours mean does not matter and is not told.
 std::unique_ptr<ar::FrameSource> open_quietly(const std::string& input);
 
