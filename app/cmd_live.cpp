@@ -1,9 +1,12 @@
 // skyshaft live: what a camera sees, with a sunlit scene over it, as it happens.
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 #include "app/commands.h"
+#include "app/error.h"
 #include "app/live/live.h"
 #include "app/options/shafts.h"
 
@@ -13,18 +16,32 @@ namespace {
 struct LiveArguments {
   LiveOptions options;
   std::string size;  // WIDTHxHEIGHT
+  std::vector<std::string> controls;
+  bool list_cameras = false;
+  std::string gpsd;
+  const CLI::Option* gpsd_option = nullptr;
   std::string shafts;
   std::string codec = "h264";
 };
 
 void add_inputs(CLI::App& command, LiveArguments& arguments) {
   LiveOptions& options = arguments.options;
-  command
-      .add_option("--source", options.source,
-                  "v4l2:/dev/video0, v4l2: (the first camera), libcamera:ID, libcamera: or file:CLIP, played once at "
-                  "its own rate as if a camera gave it")
-      ->required();
-  command.add_option("-s,--scene", options.scene, "Scene file (YAML)")->required();
+  command.add_option(
+      "--source", options.source,
+      "v4l2:/dev/video0, v4l2: (the first camera), libcamera:ID, libcamera: or file:CLIP, played once at "
+      "its own rate as if a camera gave it");
+  command.add_flag("--list-cameras", arguments.list_cameras,
+                   "List the cameras that are there, with their modes, and end");
+  command.add_option("-s,--scene", options.scene, "Scene file (YAML)");
+  command.add_option("--size", arguments.size, "WIDTHxHEIGHT asked of the camera, pixels; default: near 1280x720");
+  command.add_option("--rate", options.request.rate, "Frames a second asked of the camera; default: 30 or more")
+      ->check(CLI::Range(0.1, 1000.0));
+  command.add_option(
+      "--format", options.request.format,
+      "Format asked of the camera, as its driver writes it: YUYV, NV12, MJPG; default: what serves best");
+  command.add_option("--control", arguments.controls,
+                     "exposure (s), gain, focus or white-balance (K) =VALUE, =auto or =lock (stays as it is); may be "
+                     "given again for others");
   command.add_option("-c,--camera", options.camera.file,
                      "Camera file: OpenCV, ROS camera_info or Kalibr camchain; default: --fov, no distortion");
   command
@@ -37,6 +54,11 @@ void add_inputs(CLI::App& command, LiveArguments& arguments) {
   command.add_option("--at", options.at, "LAT,LON[,HEIGHT]: degrees north, degrees east, metres; default: the scene's");
   command.add_option("--time", options.time,
                      "Time of the first frame, 2024-06-21T07:30:00Z or with an offset; default: scene, clip, now");
+  arguments.gpsd_option =
+      command
+          .add_option("--gpsd", arguments.gpsd,
+                      "Ask gpsd (HOST:PORT, or nothing for the local one) where this is, unless --at says")
+          ->expected(0, 1);
   command
       .add_option("--reconnect", options.feed.reconnect_for_s,
                   "How long a camera that went away is waited for, seconds; 0: end with status 3; default: without end")
@@ -53,6 +75,9 @@ void add_outputs(CLI::App& command, LiveArguments& arguments) {
       ->check(CLI::ExistingDirectory);
   command.add_option("--record", options.record,
                      "Video file of what is shown (.mp4, .mkv, .mov), playable even when the program is killed");
+  command.add_option("--output", options.outputs,
+                     "V4L2 output device that other programs take for a webcam: v4l2:/dev/videoN, v4l2: (the first), "
+                     "with :YUYV or :NV12 behind; may be given again");
   command.add_option("--poses", options.poses, "CSV of the camera's pose in every tracked frame");
   command.add_option("--report", options.report, "JSON of frame counts, latency and stage times");
   command.add_flag("--overwrite", options.sink.overwrite, "Replace files that exist");
@@ -85,8 +110,35 @@ ar::VideoCodec codec_of(const std::string& name) {
   return name == "ffv1" ? ar::VideoCodec::Ffv1 : ar::VideoCodec::H264;
 }
 
+// WIDTHxHEIGHT.
+void read_size(const std::string& text, ar::LiveRequest& request) {
+  int width = 0;
+  int height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 || height < 1) {
+    throw UsageError("--size: found '" + text + "'; accepted: WIDTHxHEIGHT, pixels, as 1280x720");
+  }
+  request.width = width;
+  request.height = height;
+}
+
+ar::ControlSetting read_control(const std::string& text) {
+  try {
+    return ar::parse_control_setting(text);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--control: ") + error.what());
+  }
+}
+
 int run(LiveArguments arguments, bool quiet) {
+  if (arguments.list_cameras) return list_cameras();
   LiveOptions& options = arguments.options;
+  if (options.source.empty())
+    throw UsageError("--source is required\nskyshaft live --list-cameras names what is there");
+  if (options.scene.empty()) throw UsageError("--scene is required\nsee: skyshaft live --help");
+  if (arguments.gpsd_option->count() > 0) options.gpsd = arguments.gpsd;
+  if (!arguments.size.empty()) read_size(arguments.size, options.request);
+  for (const std::string& control : arguments.controls) options.request.controls.push_back(read_control(control));
   if (!arguments.shafts.empty()) options.shafts = parse_shafts("--shafts", arguments.shafts);
   options.sink.codec = codec_of(arguments.codec);
   options.quiet = quiet;

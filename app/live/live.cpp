@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "app/exit_status.h"
+#include "app/live/device_output.h"
 #include "app/live/draw_stage.h"
 #include "app/live/live_report.h"
 #include "app/live/recorder.h"
@@ -17,7 +18,9 @@
 #include "app/pipeline/interrupt.h"
 #include "app/pipeline/progress.h"
 #include "app/process/tracked_scene.h"
+#include "ar/capture/camera_list.h"
 #include "ar/error.h"
+#include "ar/place/gpsd.h"
 
 namespace app {
 namespace {
@@ -25,6 +28,7 @@ namespace {
 constexpr std::chrono::milliseconds kPatience{20};
 // Part of the time between two frames that drawing may take: tracking and showing need some of it too.
 constexpr double kPartForDrawing = 0.75;
+constexpr std::chrono::seconds kPatienceWithGps{20};
 constexpr double kUsualIntervalMs = 1000.0 / 30.0;
 
 void check_outputs(const LiveOptions& options) {
@@ -36,6 +40,10 @@ void check_outputs(const LiveOptions& options) {
 // Where nobody says when it is, it is now.
 Conditions live_conditions(const LiveOptions& options, const SceneFile& scene, const ar::SourceInfo& source) {
   Conditions conditions = resolve_conditions(options.at, options.time, scene, source.recorded);
+  if (options.gpsd && !options.at) {
+    conditions.place = ar::position_from_gpsd(*options.gpsd, kPatienceWithGps);
+    conditions.place_origin = "gpsd";
+  }
   if (!conditions.time) {
     conditions.time = std::chrono::floor<std::chrono::microseconds>(std::chrono::system_clock::now());
     conditions.time_origin = "the system clock";
@@ -70,6 +78,7 @@ class Session {
   bool goes_on() const;
   void show(TrackedLiveFrame frame);
   void show_held();
+  void hand_on(const ShownPicture& shown);
   void show_in_window(const ShownPicture& shown);
   void heed(const WindowWishes& wishes, const ShownPicture& shown);
   void note_times(const ShownPicture& shown, LiveClock::time_point arrived, LiveClock::time_point drawn);
@@ -84,6 +93,7 @@ class Session {
   DrawStage drawing_;
   TrackStage tracking_;
   std::unique_ptr<Recorder> recorder_;
+  std::vector<std::unique_ptr<LiveOutput>> outputs_;
   StillWriter stills_;
   std::unique_ptr<LiveWindow> window_;
   WindowFacts told_;  // to the window
@@ -109,6 +119,9 @@ Session::Session(const LiveOptions& options)
       saved_settings_(drawing_.settings()) {
   drawing_.enable_timing(options.report.has_value());
   if (options.record) recorder_ = std::make_unique<Recorder>(*options.record, feed_.info(), options.sink);
+  for (const std::string& output : options.outputs) {
+    outputs_.push_back(std::make_unique<DeviceOutput>(output, feed_.info()));
+  }
 }
 
 Session::~Session() {
@@ -167,7 +180,7 @@ void Session::show(TrackedLiveFrame frame) {
   const LiveClock::time_point drawn = LiveClock::now();
   facts_.times.draw.add(milliseconds_between(start, drawn));
   told_.draw_ms = milliseconds_between(start, drawn);
-  if (recorder_) recorder_->show(shown);
+  hand_on(shown);
   if (window_) show_in_window(shown);
   note_times(shown, arrived, drawn);
 }
@@ -213,12 +226,17 @@ void Session::heed(const WindowWishes& wishes, const ShownPicture& shown) {
   }
 }
 
+void Session::hand_on(const ShownPicture& shown) {
+  if (recorder_) recorder_->show(shown);
+  for (const auto& output : outputs_) output->show(shown);
+}
+
 void Session::show_held() {
   const auto held = drawing_.held();
   if (!held) return;
   if (window_) show_in_window(*held);
   ++facts_.held;
-  if (recorder_) recorder_->show(*held);
+  hand_on(*held);
 }
 
 void Session::finish() {
@@ -253,6 +271,19 @@ void Session::say_how_it_went() const {
 }
 
 }  // namespace
+
+int list_cameras() {
+  const auto cameras = ar::list_cameras();
+  for (const ar::CameraListing& camera : cameras) {
+    fmt::print("{}  {}\n", camera.source, camera.name);
+    if (!camera.problem.empty()) fmt::print("    cannot be used: {}\n", camera.problem);
+    for (const ar::CameraMode& mode : camera.modes) fmt::print("    {}\n", ar::describe(mode));
+  }
+  if (cameras.empty()) {
+    spdlog::warn("no camera is there\nplug one in; /dev/video* are its nodes, which the group `video` may open");
+  }
+  return kDone;
+}
 
 int live(const LiveOptions& options) {
   check_outputs(options);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/live/feed.h"
 #include "app/process/camera_choice.h"
@@ -19,11 +20,14 @@ struct LiveOptions {
   CameraChoice camera;
   std::optional<std::string> at;
   std::optional<std::string> time;
+  std::optional<std::string>
+      gpsd;  // HOST:PORT, or empty for the local one: asked for the place where `at` is not given
   bool headless = false;
   bool full_screen = false;
   std::optional<double> duration_s;
   FeedOptions feed;
   std::optional<std::filesystem::path> record;
+  std::vector<std::string> outputs;  // as DeviceOutput reads them
   ar::VideoSinkOptions sink;
   std::optional<std::filesystem::path> poses;
   std::optional<std::filesystem::path> report;
@@ -38,5 +42,8 @@ struct LiveOptions {
 // interrupt. Returns kDone or kInterrupted. Throws what goes wrong; ar::InputError when the camera is lost for good,
 // after the recording was finalised.
 int live(const LiveOptions& options);
+
+// The cameras that are there, with their modes, on standard output. Returns kDone.
+int list_cameras();
 
 }  // namespace app
