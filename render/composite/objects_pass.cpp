@@ -17,6 +17,7 @@ constexpr int kLightUnit = 5;  // and its marks 6
 constexpr int kMirrorUnit = 7;
 constexpr int kVirtualMapUnit = 8;  // and 9; its bounds 10
 constexpr int kRealMapUnit = 11;    // and 12; its bounds 13
+constexpr int kGlassUnit = 14;      // and 15
 
 void clear_color(const gl::Framebuffer& framebuffer, float rgb) {
   framebuffer.bind();
@@ -105,6 +106,7 @@ struct ObjectsPass::Impl {
     shadow->bind(Casters::Real, *view, program, kRealMapUnit);
     shadow->bind_bounds(Casters::Virtual, program, kVirtualMapUnit + 2);
     shadow->bind_bounds(Casters::Real, program, kRealMapUnit + 2);
+    shadow->bind_glass(*view, program, kGlassUnit);
   }
 
   void draw_real_depth(const std::vector<Draw>& real) const {
@@ -297,7 +299,8 @@ const ObjectsPicture& ObjectsPass::draw(const SceneState& scene, const View& vie
   impl_->sky_mirror.update(scene);
   const bool sun = impl_->lighting.sun_shines();
   impl_->casts = {.virtual_casters = sun && !shadow.map(Casters::Virtual).fit.empty,
-                  .real_casters = sun && !shadow.map(Casters::Real).fit.empty};
+                  .real_casters = sun && !shadow.map(Casters::Real).fit.empty,
+                  .glass = sun && !shadow.glass().fit.empty};
   impl_->make_targets();
   impl_->covered = covered_rect(scene, view);
   impl_->picture.touched = touched_rect(scene, view);

@@ -7,10 +7,17 @@
 namespace render {
 namespace {
 
-constexpr std::array<const char*, 10> kFeatures{
-    "VIRTUAL_CASTERS", "REAL_CASTERS", "BASE_COLOR_TEXTURE", "METALLIC_ROUGHNESS_TEXTURE",
-    "NORMAL_TEXTURE",  "ALPHA_MASK",   "OCCLUSION_TEXTURE",  "EMISSIVE_TEXTURE",
-    "ALPHA_BLEND",     "THIN"};
+constexpr std::array<const char*, 11> kFeatures{"VIRTUAL_CASTERS",
+                                                "REAL_CASTERS",
+                                                "BASE_COLOR_TEXTURE",
+                                                "METALLIC_ROUGHNESS_TEXTURE",
+                                                "NORMAL_TEXTURE",
+                                                "ALPHA_MASK",
+                                                "OCCLUSION_TEXTURE",
+                                                "EMISSIVE_TEXTURE",
+                                                "ALPHA_BLEND",
+                                                "THIN",
+                                                "GLASS"};
 
 unsigned bit(bool on, unsigned index) {
   return on ? 1U << index : 0U;
@@ -46,7 +53,7 @@ unsigned features_of(const Material& material, const GpuModel::Textures& texture
          bit(textures.occlusion != nullptr, 6) | bit(textures.emissive != nullptr, 7) |
          bit(material.alpha_mode == AlphaMode::Blend, 8) |
          // Cut-out, two-sided: leaves, grass, netting. Two-sided alone says nothing: many exporters set it for all.
-         bit(cut_out && material.double_sided, 9);
+         bit(cut_out && material.double_sided, 9) | bit(casts.glass, 10);
 }
 
 void bind_texture(const gl::Program& program, const char* uniform, const gl::Texture* texture, int unit) {
@@ -79,7 +86,8 @@ const gl::Program& SurfacePrograms::virtual_surface(Use use, const Material& mat
 }
 
 const gl::Program& SurfacePrograms::real_shadow(Casts casts, bool sought) {
-  const unsigned features = bit(casts.virtual_casters, 0) | bit(casts.real_casters && !sought, 1);
+  const unsigned features =
+      bit(casts.virtual_casters, 0) | bit(casts.real_casters && !sought, 1) | bit(casts.glass, 10);
   const unsigned key = features | bit(sought, kFeatures.size());
   const auto found = real_shadow_.find(key);
   if (found != real_shadow_.end()) return found->second;

@@ -20,6 +20,7 @@ class SurfacePrograms {
   struct Casts {
     bool virtual_casters = false;
     bool real_casters = false;
+    bool glass = false;  // tints the light
   };
 
   // What a virtual surface is drawn for: its depth; its light; that and a mark to know the surface by; smooth edges

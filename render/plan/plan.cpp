@@ -17,6 +17,7 @@ struct Needs {
   bool casters = false;
   bool medium = false;
   bool shafts = false;  // casters that can shade the medium
+  bool glass = false;   // and among them some that tint it
 };
 
 bool can_shade_medium(const SceneState& scene, const std::vector<const Instance*>& casters) {
@@ -35,6 +36,7 @@ Needs needs_of(const SceneState& scene) {
   needs.medium = scene.medium && scene.medium->extinction_per_m > 0.0;
   needs.shafts =
       needs.medium && needs.sun && (can_shade_medium(scene, virtual_casters) || can_shade_medium(scene, real_casters));
+  needs.glass = needs.shafts && !glass_casters(scene).empty();
   return needs;
 }
 
@@ -138,10 +140,11 @@ class Planner {
   void plan_shafts() {
     if (!scene_.medium) return omit("shafts", "the scene has no medium");
     if (!needs_.medium) return omit("shafts", "the medium's extinction is zero");
-    add(PassKind::Shafts, "shafts", described(plan_.shafts),
-        needs_.shafts ? "a medium, and casters that carve shafts into the sunlight"
-        : !needs_.sun ? "a medium lit by the sky alone"
-                      : "a medium with nothing between it and the sun");
+    add(PassKind::Shafts, "shafts", described(plan_.shafts) + (needs_.glass ? ", then tinted by glass" : ""),
+        needs_.glass    ? "a medium, casters that carve shafts into the sunlight, and glass that colours it"
+        : needs_.shafts ? "a medium, and casters that carve shafts into the sunlight"
+        : !needs_.sun   ? "a medium lit by the sky alone"
+                        : "a medium with nothing between it and the sun");
   }
 
   const SceneState& scene_;

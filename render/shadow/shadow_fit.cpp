@@ -42,10 +42,11 @@ Bounds box_in_light(const Instance& instance, const glm::dmat3& light_from_world
 }
 
 // Tighter than the box where that matters: what the vertices themselves span.
-Bounds vertices_in_light(const Instance& instance, const glm::dmat3& light_from_world) {
+Bounds vertices_in_light(const Instance& instance, const glm::dmat3& light_from_world, FitTo to) {
   const glm::dmat4 light_from_model = glm::dmat4(light_from_world) * instance.world_from_model;
   Bounds bounds;
   for (const Mesh& mesh : instance.model->meshes) {
+    if (to == FitTo::Glass && !is_glass(*instance.model, mesh)) continue;
     for (const Vertex& vertex : mesh.vertices) {
       bounds.add(glm::dvec3(light_from_model * glm::dvec4(vertex.position, 1.0)));
     }
@@ -131,6 +132,21 @@ std::vector<const Instance*> casters(const SceneState& scene, Casters kind) {
   return out;
 }
 
+bool is_glass(const Model& model, const Mesh& mesh) {
+  return model.materials[static_cast<std::size_t>(mesh.material)].alpha_mode == AlphaMode::Blend;
+}
+
+std::vector<const Instance*> glass_casters(const SceneState& scene) {
+  std::vector<const Instance*> out;
+  for (const Instance& instance : scene.instances) {
+    const Model& model = *instance.model;
+    if (std::ranges::any_of(model.meshes, [&](const Mesh& mesh) { return is_glass(model, mesh); })) {
+      out.push_back(&instance);
+    }
+  }
+  return out;
+}
+
 glm::dmat3 world_from_light(const glm::dvec3& sun_direction_in_world) {
   const glm::dvec3 travel = -glm::normalize(sun_direction_in_world);
   const glm::dvec3 level = glm::cross(glm::dvec3(0.0, 0.0, 1.0), travel);
@@ -165,19 +181,20 @@ bool can_shade(const Instance& caster, const Box& box, const Sun& sun) {
 }
 
 ShadowFit fit_shadow(const SceneState& scene, const View& view, const std::vector<const Instance*>& casters,
-                     int size_px) {
+                     int size_px, FitTo to) {
   ShadowFit fit;
   if (casters.empty()) return fit;
   const glm::dmat3 light_from_world = glm::transpose(world_from_light(scene.sun.direction_in_world));
   const Bounds region = region_of_interest(scene, view, light_from_world);
   Bounds all;
   for (const Instance* caster : casters) {
-    Bounds bounds = box_in_light(*caster, light_from_world);
+    Bounds bounds =
+        to == FitTo::Glass ? vertices_in_light(*caster, light_from_world, to) : box_in_light(*caster, light_from_world);
     if (large(bounds)) {
       cut_to(bounds, region);
       fit.cut = true;
-    } else {
-      bounds = vertices_in_light(*caster, light_from_world);
+    } else if (to == FitTo::Casters) {
+      bounds = vertices_in_light(*caster, light_from_world, to);
     }
     if (bounds.empty()) continue;
     all.add(bounds.low);

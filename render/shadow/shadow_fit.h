@@ -30,10 +30,18 @@ bool can_shade(const Instance& caster, const Box& box, const Sun& sun);
 // Axes of light space as columns, in the world: two across the light, the third along its travel. The first is level.
 glm::dmat3 world_from_light(const glm::dvec3& sun_direction_in_world);
 
+// Whether a mesh is of blended material, which tints light where other casters hold it up.
+bool is_glass(const Model& model, const Mesh& mesh);
+// The instances that have such meshes, virtual and real.
+std::vector<const Instance*> glass_casters(const SceneState& scene);
+
+// What a map is fitted to: casters as wholes, or their glass alone.
+enum class FitTo { Casters, Glass };
+
 // The map of `size_px` squared texels around those casters, a little larger than they are and snapped to its own
 // texels, counted from a place that moves with the scene. Casters above `kWholeM` metres across are cut to what the
 // view and the other things can make use of.
 ShadowFit fit_shadow(const SceneState& scene, const View& view, const std::vector<const Instance*>& casters,
-                     int size_px);
+                     int size_px, FitTo to = FitTo::Casters);
 
 }  // namespace render

@@ -10,6 +10,7 @@
 #include "render/gl/framebuffer.h"
 #include "render/gl/texture.h"
 #include "render/shadow/depth_bounds.h"
+#include "render/shadow/glass_shadow.h"
 
 namespace render {
 namespace {
@@ -64,6 +65,7 @@ struct SunShadow::Impl {
   gl::VertexArray no_vertices;
   GLuint plain_sampler = 0;
   std::array<Slot, 2> slots;
+  GlassShadow glass;
 
   Impl() {
     glGenSamplers(1, &plain_sampler);
@@ -130,6 +132,7 @@ struct SunShadow::Impl {
       masked.set("map_clip_from_model", clip_from_model);
       const GpuModel& model = models.get(caster->model);
       for (const GpuModel::MeshRange& mesh : model.meshes()) {
+        if (model.material(mesh.material).alpha_mode == AlphaMode::Blend) continue;  // GlassShadow's
         use_program_for(model, mesh.material);
         model.draw(mesh);
       }
@@ -145,7 +148,6 @@ struct SunShadow::Impl {
     glBindSampler(0, 0);
   }
 
-  // Glass and the like (blended) casts where it is more than half opaque.
   void use_program_for(const GpuModel& model, int index) {
     const Material& material = model.material(index);
     const gl::Texture* base_color = model.textures(index).base_color;
@@ -156,7 +158,7 @@ struct SunShadow::Impl {
     masked.use();
     masked.set("base_color_texture", 0);
     masked.set("base_alpha", material.base_color.a);
-    masked.set("alpha_cutoff", material.alpha_mode == AlphaMode::Mask ? material.alpha_cutoff : 0.5F);
+    masked.set("alpha_cutoff", material.alpha_cutoff);
     base_color->bind(0);
   }
 };
@@ -169,11 +171,20 @@ bool SunShadow::update(const SceneState& scene, const View& view, int size_px, G
   for (const Casters kind : {Casters::Virtual, Casters::Real}) {
     drawn |= impl_->update(impl_->slot(kind), scene, view, casters(scene, kind), size_px, models);
   }
+  drawn |= impl_->glass.update(scene, view, size_px, models);
   return drawn;
 }
 
 const ShadowMap& SunShadow::map(Casters kind) const {
   return impl_->slot(kind).map;
+}
+
+const GlassMap& SunShadow::glass() const {
+  return impl_->glass.map();
+}
+
+void SunShadow::bind_glass(const View& view, const gl::Program& program, int first_unit) const {
+  impl_->glass.bind(view, program, first_unit);
 }
 
 void SunShadow::bind(Casters kind, const View& view, const gl::Program& program, int first_unit) const {

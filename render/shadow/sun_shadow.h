@@ -22,6 +22,13 @@ struct ShadowMap {
   ShadowFit fit;
 };
 
+// What tints the light: blended materials, as stained glass. Behind the first of them on the light's way their light is
+// what all of them together let through.
+struct GlassMap {
+  int size_px = 0;
+  ShadowFit fit;  // empty: there is no glass
+};
+
 // The sun's shadow maps. Call on the context's thread.
 class SunShadow {
  public:
@@ -37,6 +44,10 @@ class SunShadow {
 
   // fit.empty where nothing of that kind casts a shadow; the texture is then a single lit texel.
   const ShadowMap& map(Casters kind) const;
+
+  const GlassMap& glass() const;
+  // The glass's depth and tint to two texture units, and the uniforms of shaders/shadow/glass.glsl.
+  void bind_glass(const View& view, const gl::Program& program, int first_unit) const;
 
   // Binds the map to texture units `first_unit` (compared) and `first_unit + 1` (plain depth) and sets the uniforms
   // that shaders/shadow/sun_map.glsl declares for it. `prefix` is "virtual" or "real".

@@ -4,12 +4,16 @@
 
 #include <stdexcept>
 
+#include "render/shafts/glass_tint.h"
+
 namespace render {
 
 std::unique_ptr<ShaftTechnique> make_shaft_technique(const ShaftSettings& settings) {
   const ShaftTechniqueInfo* info = find_shaft_technique(settings.technique);
   if (info == nullptr) throw std::runtime_error(fmt::format("unknown shaft technique '{}'", settings.technique));
-  return info->make(settings);
+  std::unique_ptr<ShaftTechnique> technique = info->make(settings);
+  if (info->knows_glass) return technique;
+  return std::make_unique<GlassTint>(std::move(technique));
 }
 
 }  // namespace render

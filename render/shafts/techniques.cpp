@@ -34,7 +34,8 @@ ShaftTechniqueInfo closed_form() {
           .ladder = {"closed-form:divisor=2", "closed-form:divisor=1"},
           .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
             return std::make_unique<ClosedForm>(s.whole("divisor"));
-          }};
+          },
+          .knows_glass = true};
 }
 
 ShaftTechniqueInfo march() {

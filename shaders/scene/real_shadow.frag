@@ -3,11 +3,16 @@
 // SOUGHT: leaves nothing, and only where virtual things may take anything away from what is seen of the surface.
 // variant: VIRTUAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
 // variant: VIRTUAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16 SOUGHT
+// variant: VIRTUAL_CASTERS GLASS BLOCKER_TAPS=8 FILTER_TAPS=16 SOUGHT
+// variant: VIRTUAL_CASTERS GLASS BLOCKER_TAPS=8 FILTER_TAPS=16
 // variant: VIRTUAL_CASTERS REAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
 
 #include "shadow/sun_map.glsl"
 #include "scene/sh9.glsl"
+#ifdef GLASS
+#include "shadow/glass.glsl"
+#endif
 
 uniform vec3 sun_direction_in_local;
 uniform vec3 sun_illuminance;      // pre-exposed
@@ -20,8 +25,11 @@ layout(location = 0) out vec4 multiplier;
 
 vec3 light_left(vec3 normal) {
   float n_s = max(dot(normal, sun_direction_in_local), 0.0);
-  float seen = virtual_visibility(v_position, normal);
-  if (seen >= 1.0 || n_s <= 0.0) return vec3(1.0);
+  vec3 seen = vec3(virtual_visibility(v_position, normal));
+#ifdef GLASS
+  seen *= light_past_glass(v_position);
+#endif
+  if (all(greaterThanEqual(seen, vec3(1.0))) || n_s <= 0.0) return vec3(1.0);
   vec3 sun = sun_illuminance * (n_s * real_visibility(v_position, normal));
   if (dot(sun, vec3(1.0)) <= 0.0) return vec3(1.0);
   vec3 sky = max(sh9(sky_irradiance_sh, normal), vec3(0.0));
@@ -33,7 +41,11 @@ void main() {
   if (dot(normal, v_position) > 0.0) normal = -normal;  // the side that is seen
 #ifdef SOUGHT
   bool seen = texelFetch(added, ivec2(gl_FragCoord.xy), 0).a > 0.0;
-  if (!seen || dot(normal, sun_direction_in_local) <= 0.0 || !may_be_shaded_by_virtual(v_position, normal)) discard;
+  bool less = may_be_shaded_by_virtual(v_position, normal);
+#ifdef GLASS
+  less = less || light_past_glass(v_position) != vec3(1.0);
+#endif
+  if (!seen || dot(normal, sun_direction_in_local) <= 0.0 || !less) discard;
   multiplier = vec4(1.0);
 #else
   multiplier = vec4(light_left(normal), 1.0);

@@ -2,6 +2,9 @@
 // the dull part, a prefiltered cube for the mirrored one), emission. glTF 2.0's
 // metallic-roughness material, appendix B.
 #include "shadow/sun_map.glsl"
+#ifdef GLASS
+#include "shadow/glass.glsl"
+#endif
 #include "scene/sh9.glsl"
 #include "scene/brdf.glsl"
 
@@ -99,6 +102,9 @@ vec4 shade() {
   vec3 sun = vec3(0.0);
   if (front + back > 0.0) {
     sun = sun_illuminance * (virtual_visibility(v_position, sunny_facet) * real_visibility(v_position, sunny_facet));
+#ifdef GLASS
+    sun *= light_past_glass(v_position);
+#endif
   }
 
   vec3 f0 = mix(vec3(0.04), base.rgb, metal);

@@ -44,7 +44,8 @@ ShaftTechniqueInfo reference() {
             settings.sky = kSkies.at(static_cast<std::size_t>(s.whole("sky")));
             settings.max_error = s.number("max_error");
             return std::make_unique<ReferenceTechnique>(settings);
-          }};
+          },
+          .knows_glass = true};
 }
 
 }  // namespace
