@@ -8,6 +8,7 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -81,11 +82,13 @@ std::string today() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()));
 }
 
-Calibration calibrate(const CalibrateArguments& arguments) {
+// Nothing when it was interrupted.
+std::optional<Calibration> calibrate(const CalibrateArguments& arguments) {
   Calibration c;
   c.board = read_board(arguments.board);
   c.date = today();
   c.gathered = gather(c.board, arguments.gather);
+  if (c.gathered.interrupted) return std::nullopt;
   spdlog::debug("{} views of the board", c.gathered.sightings.views.size());
   c.options = solve_options(arguments);
   choose_lens(arguments, c);
@@ -110,7 +113,9 @@ void check_outputs(const CalibrateArguments& arguments) {
 
 int run(const CalibrateArguments& arguments) {
   check_outputs(arguments);
-  const Calibration c = calibrate(arguments);
+  const std::optional<Calibration> done = calibrate(arguments);
+  if (!done) return kInterrupted;
+  const Calibration& c = *done;
   if (!arguments.report.empty()) write_whole(arguments.report, report_html(c), arguments.overwrite);
   const bool rejected = c.judgement.verdict == calib::Verdict::Rejected;
   if (!arguments.output.empty() && (!rejected || arguments.accept)) {

@@ -69,7 +69,6 @@ std::vector<calib::TagPicture> look_at(const MapArguments& arguments, bool quiet
   options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   ar::Detector detector(options);
   const ar::CameraModel as_calibrated = calib::read_camera_file(arguments.camera);
-  const InterruptGuard interrupt;
   Progress progress(std::nullopt, quiet);
   std::vector<calib::TagPicture> pictures;
   for (const std::string& input : one_by_one(arguments.inputs)) {
@@ -135,7 +134,9 @@ int run(const MapArguments& arguments, bool quiet) {
   const calib::MapperOptions options = mapper_options(arguments);
   check_may_write(arguments.output, arguments.overwrite);
   ar::CameraModel camera;
+  const InterruptGuard interrupt;
   const auto pictures = look_at(arguments, quiet, camera);
+  if (InterruptGuard::requested()) return kInterrupted;
   const calib::MapResult result = calib::map_tags(camera, arguments.family, pictures, options);
   if (!arguments.wall && !arguments.flat) {
     spdlog::warn(

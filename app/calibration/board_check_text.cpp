@@ -49,8 +49,9 @@ BoardCheck check_board_photo(const calib::Board& board, const std::string& photo
   one.inputs = {photo};
   one.quiet = true;
   const Gathered gathered = gather(board, one);  // throws with the reason where the board is not there
-  const calib::Sighting& seen = gathered.sightings.views.front();
   BoardCheck check;
+  if (gathered.interrupted) return check;
+  const calib::Sighting& seen = gathered.sightings.views.front();
   check.text = fmt::format("board        {}\nseen         {} of {} points\n", board.description, seen.points.size(),
                            board.points.size());
   const auto missing = missing_tags(board, seen);

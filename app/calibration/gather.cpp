@@ -152,6 +152,8 @@ Gathered gather(const calib::Board& board, const GatherOptions& options) {
     all.push_back(std::move(*known));
   }
   cache.save();
+  out.interrupted = InterruptGuard::requested();
+  if (out.interrupted) return out;
   check_sizes(all);
   out.sightings.width = all.front().width;
   out.sightings.height = all.front().height;

@@ -19,6 +19,7 @@ struct Gathered {
   calib::Sightings sightings;  // with the board in them
   int pictures = 0;            // looked at
   int with_board = 0;
+  bool interrupted = false;  // by a signal; the rest was not looked at, and the sightings are not filled in
 };
 
 // Finds the board in all inputs. Pictures all count; of each recording the frames that calib::choose_views() picks.
