@@ -18,6 +18,8 @@ namespace {
 // An estimate of the exposure follows the camera's own slowly: each time that many frames later, by that part.
 constexpr std::int64_t kEstimateEvery = 15;
 constexpr double kEstimateStep = 0.3;
+// So many times too slow that no view of the scene will be quick enough.
+constexpr double kHopeless = 2.5;
 constexpr int kMediumGrey = 110;
 
 struct Bounds {
@@ -137,6 +139,7 @@ void DrawStage::warm_up() {
     }
     spdlog::debug("quality level {}: {:.1f} ms a frame", level, quickest_ms);
     if (quickest_ms <= governor_.target_ms()) fits = level;
+    if (quickest_ms > kHopeless * governor_.target_ms()) break;  // what costs more is out of reach
   }
   governor_ = Governor(ladder_.size(), governor_.target_ms(), governor_.target_ms() > 0.0 ? fits : 0);
   renderer_.set_quality(quality());

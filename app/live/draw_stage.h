@@ -22,7 +22,7 @@ class DrawStage {
   // Measures the passes of some frames.
   void enable_timing(bool on) { renderer_.enable_timing(on); }
 
-  // Draws pictures of nothing with every setting that the governor may choose, so that no shader is made while frames
+  // Draws pictures of nothing with every setting that the governor will choose, so that no shader is made while frames
   // wait, and begins with the best that is fast enough.
   void warm_up();
 
