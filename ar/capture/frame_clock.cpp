@@ -5,8 +5,9 @@
 namespace ar {
 namespace {
 
-// No picture waits this long between the driver and its reader: such a stamp is of another clock, or one that wrapped.
-constexpr std::int64_t kBelievable_us = 10'000'000;
+// No picture waits this long between the driver and its reader, who may take his time to begin: such a stamp is of
+// another clock, or one that wrapped.
+constexpr std::int64_t kBelievable_us = 600'000'000;
 // Drivers round, and some stamp the end of a transfer a little late.
 constexpr std::int64_t kAhead_us = 100'000;
 // A jump back, or by half of the range, is a stream that began anew, not a gap.

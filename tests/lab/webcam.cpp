@@ -122,8 +122,7 @@ class Webcam::Device {
   std::atomic<bool> hangs_{false};
   std::atomic<bool> damage_{false};
   std::atomic<bool> cut_{false};
-  std::atomic<bool> restart_{false};
-  std::atomic<std::int64_t> sent_{0};
+  std::atomic<bool> hold_{false};
 
  private:
   void run();
@@ -176,7 +175,6 @@ bool Webcam::Device::negotiate(Bytes& state, const Setup& setup, const Bytes& da
     if (&state == &commit_) {
       payload_.clear();
       due_ = steady_clock::now();
-      if (restart_.exchange(false)) shown_ = 0;
     }
     return true;
   }
@@ -309,7 +307,7 @@ void Webcam::Device::unlink(const usbip::Request& request) {
 void Webcam::Device::next_payload() {
   const auto interval = std::chrono::nanoseconds(std::int64_t{100} * get(&commit_[4], 4));
   // A late picture may be followed sooner by the next, but a hang is not made up for.
-  due_ = std::max(due_ + interval, steady_clock::now() - 3 * interval);
+  due_ = std::max(due_ + interval, steady_clock::now() - std::chrono::milliseconds(10));
   const WebcamStream& stream = *find_stream(model_, commit_[2], commit_[3]);
   const Bytes& picture = stream.pictures[shown_++ % stream.pictures.size()];
   const bool damaged = damage_.exchange(false);
@@ -320,7 +318,6 @@ void Webcam::Device::next_payload() {
   payload_.insert(payload_.end(), picture.begin(), picture.end() - (cut ? std::ssize(picture) / 2 : 0));
   toggle_ ^= 1U;
   given_ = 0;
-  ++sent_;
 }
 
 // Answers waiting transfers with as much of the pictures as is due.
@@ -340,7 +337,7 @@ void Webcam::Device::pump() {
 }
 
 int Webcam::Device::patience_ms() const {
-  if (hangs_ || waiting_.empty() || !payload_.empty()) return -1;
+  if (hangs_ || hold_ || waiting_.empty() || !payload_.empty()) return -1;
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(due_ - steady_clock::now());
   return static_cast<int>(std::max<std::int64_t>(0, left.count()));
 }
@@ -353,7 +350,7 @@ void Webcam::Device::run() try {
     std::uint64_t woken = 0;
     if (sources[1].revents != 0 && read(wake_, &woken, sizeof woken) < 0) return;
     if (sources[0].revents != 0) handle(port_->receive());
-    if (!hangs_) pump();
+    if (!hangs_ && !hold_) pump();
   }
 } catch (const std::exception& error) {
   std::fprintf(stderr, "webcam: %s\n", error.what());
@@ -384,12 +381,9 @@ void Webcam::cut_next_picture() {
   device_->cut_ = true;
 }
 
-void Webcam::restart_pictures() {
-  device_->restart_ = true;
-}
-
-std::int64_t Webcam::pictures_sent() const {
-  return device_->sent_;
+void Webcam::hold_pictures(bool hold) {
+  device_->hold_ = hold;
+  device_->wake();
 }
 
 }  // namespace ar::testing

@@ -18,12 +18,11 @@ class Webcam {
   Webcam& operator=(const Webcam&) = delete;
 
   void pull_out();
-  void plug_in();              // at the same port
-  void hang(bool hangs);       // answers nothing while it hangs
-  void damage_next_picture();  // sends half of it, with the class's error bit set
-  void cut_next_picture();     // sends half of it and says nothing
-  void restart_pictures();     // the next stream begins with the first picture
-  std::int64_t pictures_sent() const;
+  void plug_in();                 // at the same port
+  void hang(bool hangs);          // answers nothing while it hangs
+  void hold_pictures(bool hold);  // answers, but gives no pictures: the first is then the first of all
+  void damage_next_picture();     // sends half of it, with the class's error bit set
+  void cut_next_picture();        // sends half of it and says nothing
 
  private:
   class Device;
