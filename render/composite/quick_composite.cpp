@@ -181,11 +181,11 @@ struct Job {
   float code_max;
 
   bool is_touched(Spot spot) const { return spot != kNowhere && touched[spot >> 8] != 0; }
-  Floats4 composite(Spot spot, float luma, Floats4 coded_chroma) const;
+  [[gnu::always_inline]] inline Floats4 composite(Spot spot, float luma, Floats4 coded_chroma) const;
   template <typename Sample>
   void block_row(int row) const;
   template <typename Sample>
-  void block(int column, int row) const;
+  [[gnu::always_inline]] inline void block(int column, int row) const;
 };
 
 // The code of a pixel with that luma, where the block's chroma makes coded_chroma of its coded RGB.
@@ -251,7 +251,8 @@ void Job::block(int column, int row) const {
 template <typename Sample>
 void Job::block_row(int row) const {
   const int columns = plane_size(in.format, 1).x;
-  for (int column = 0; column < columns; ++column) block<Sample>(column, row);
+  const Job job = *this;  // one that no sample written can change, as far as the compiler knows
+  for (int column = 0; column < columns; ++column) job.block<Sample>(column, row);
 }
 
 }  // namespace
