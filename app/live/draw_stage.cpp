@@ -20,6 +20,8 @@ constexpr std::int64_t kEstimateEvery = 15;
 constexpr double kEstimateStep = 0.3;
 // So many times too slow that no view of the scene will be quick enough.
 constexpr double kHopeless = 2.5;
+// The sun moves a twelfth of its own width in it.
+constexpr double kLightStepS = 10.0;
 constexpr int kMediumGrey = 110;
 
 struct Bounds {
@@ -94,7 +96,9 @@ DrawStage::DrawStage(std::optional<int> egl_device, const ar::CameraModel& camer
                 .target_ms = target_ms},
       renderer_(egl_device, camera, SceneStateBuilder(scene_, conditions), scene_.quality),
       ladder_(quality_ladder(scene_.quality)),
-      governor_(ladder_.size(), target_ms) {}
+      governor_(ladder_.size(), target_ms) {
+  renderer_.set_light_step(kLightStepS);
+}
 
 void DrawStage::apply(const LiveSettings& settings) {
   SceneFile scene = scene_;

@@ -1,6 +1,7 @@
 #include "app/process/frame_renderer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/bridge.h"
 #include "app/median.h"
@@ -20,11 +21,15 @@ FrameRenderer::FrameRenderer(std::optional<int> egl_device, const ar::CameraMode
       scene_(std::move(scene)),
       quality_(quality) {}
 
+render::SceneState FrameRenderer::light_at(double elapsed_s) {
+  return scene_.at(light_step_s_ > 0.0 ? light_step_s_ * std::floor(elapsed_s / light_step_s_) : elapsed_s);
+}
+
 FinishedFrame FrameRenderer::render(TrackedFrame tracked, double start_s,
                                     const std::function<ar::OutputFrame()>& allocate) {
   ar::Frame& frame = tracked.frame;
   if (tracked.track.state == ar::TrackState::Lost) return {std::move(frame), std::nullopt};
-  render::SceneState state = scene_.at(frame.time_s - start_s);
+  render::SceneState state = light_at(frame.time_s - start_s);
   state.camera = camera_;
   state.camera.world_from_camera = to_render(tracked.track.world_from_camera);
   state.exposure = exposure_;

@@ -28,8 +28,10 @@ class FrameRenderer {
   // From the next frame on.
   void set_quality(const render::Quality& quality) { quality_ = quality; }
   void set_scene(SceneStateBuilder scene) { scene_ = std::move(scene); }
+  // Sun and sky step no more often than that: a step takes some 40 ms without a GPU. 0: as SceneStateBuilder does.
+  void set_light_step(double step_s) { light_step_s_ = step_s; }
   // The light at that time, without a camera.
-  render::SceneState light_at(double elapsed_s) { return scene_.at(elapsed_s); }
+  render::SceneState light_at(double elapsed_s);
   // Measures the passes of some frames; what is measured waits for the GPU, so not of all of them.
   void enable_timing(bool on) { timing_ = on; }
 
@@ -58,6 +60,7 @@ class FrameRenderer {
   SceneStateBuilder scene_;
   render::Quality quality_;
   double exposure_ = 0.0;
+  double light_step_s_ = 0.0;
   bool timing_ = false;
   render::Plan plan_;
   std::int64_t rendered_ = 0;
