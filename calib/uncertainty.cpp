@@ -76,9 +76,10 @@ double largest_sigma(const cv::Matx22d& covariance) {
 }  // namespace
 
 cv::Point2d Grid::middle(std::size_t cell) const {
-  const double column = static_cast<double>(cell % static_cast<std::size_t>(columns));
-  const double row = static_cast<double>(cell / static_cast<std::size_t>(columns));
-  return {(column + 0.5) * width / columns - 0.5, (row + 0.5) * height / rows - 0.5};
+  const std::size_t column = cell % static_cast<std::size_t>(columns);
+  const std::size_t row = cell / static_cast<std::size_t>(columns);
+  return {(static_cast<double>(column) + 0.5) * width / columns - 0.5,
+          (static_cast<double>(row) + 0.5) * height / rows - 0.5};
 }
 
 std::size_t Grid::cell_of(const cv::Point2d& px) const {

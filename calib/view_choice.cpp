@@ -31,10 +31,11 @@ double median(std::vector<double> values) {
 double median_shift(const Sighting& a, const Sighting& b) {
   std::vector<double> shifts;
   for (std::size_t i = 0, k = 0; i < a.points.size() && k < b.points.size();) {
-    if (a.points[i] == b.points[k])
+    if (a.points[i] == b.points[k]) {
       shifts.push_back(cv::norm(a.px[i++] - b.px[k++]));
-    else
+    } else {
       (a.points[i] < b.points[k] ? i : k) += 1;
+    }
   }
   return median(shifts);
 }
