@@ -11,6 +11,7 @@ extern "C" {
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <condition_variable>
 #include <cstring>
 #include <deque>
@@ -236,7 +237,7 @@ void LibcameraSource::start(const LiveRequest& request) {
   camera_->disconnected.connect(this, &LibcameraSource::vanished);
   libcamera::ControlList initial = controls_.take();
   if (camera_->controls().find(&libcamera::controls::FrameDurationLimits) != camera_->controls().end()) {
-    const auto us = static_cast<std::int64_t>(1e6 / request.rate.value_or(kUsualRate) + 0.5);
+    const std::int64_t us = std::llround(1e6 / request.rate.value_or(kUsualRate));
     initial.set(libcamera::controls::FrameDurationLimits, {us, us});
     info_.frame_rate = {1'000'000, static_cast<int>(us)};
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <new>
 #include <set>
 
@@ -92,7 +93,7 @@ Rational set_rate(const v4l2::Device& device, double rate) {
   v4l2_captureparm& capture = parameters.parm.capture;
   if ((capture.capability & V4L2_CAP_TIMEPERFRAME) != 0) {
     constexpr std::uint32_t kFine = 10'000'000;  // UVC counts in 100 ns
-    capture.timeperframe = {static_cast<std::uint32_t>(kFine / rate + 0.5), kFine};
+    capture.timeperframe = {static_cast<std::uint32_t>(std::lround(kFine / rate)), kFine};
     if (const int error = device.call(VIDIOC_S_PARM, &parameters); error != 0) {
       throw InputError(v4l2::explain(device.node(), "VIDIOC_S_PARM", error));
     }
