@@ -214,9 +214,10 @@ int undistort(const CameraArguments& arguments) {
     throw UsageError(
         fmt::format("{}: its ending says no picture format\naccepted: .png, .jpg, .tif", arguments.output));
   }
-  if (!written)
+  if (!written) {
     throw std::runtime_error(
         fmt::format("{}: cannot be written\nis the folder writable, its disk not full?", arguments.output));
+  }
   write_whole(yaml, calib::camera_text(straight, calib::CameraFormat::OpenCv, std::nullopt), arguments.overwrite);
   std::cout << fmt::format("{}: pinhole, focal length {:.2f} px; {}: its camera\n", arguments.output,
                            straight.intrinsics(0, 0), yaml.string());

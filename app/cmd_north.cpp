@@ -96,8 +96,9 @@ calib::Heading from_shadow(const NorthArguments& arguments, const ar::TagMap& ma
 calib::Heading from_compass(const NorthArguments& arguments, const ar::TagMap& map) {
   const int id = arguments.tag >= 0 ? arguments.tag : map.tags.begin()->first;
   const auto tag = map.tags.find(id);
-  if (tag == map.tags.end())
+  if (tag == map.tags.end()) {
     throw UsageError(fmt::format("--tag: {} has no tag {}\ngive one of its tags", arguments.map, id));
+  }
   const double truth = (arguments.compass_deg + arguments.declination_deg) / kDegrees;
   return {calib::wrapped(truth - calib::heading_of_tag(tag->second.world_from_tag)),
           arguments.compass_sigma_deg / kDegrees};

@@ -70,8 +70,9 @@ Pattern marker_pattern(const std::string& dictionary, int id) {
   std::vector<std::vector<bool>> black(static_cast<std::size_t>(side),
                                        std::vector<bool>(static_cast<std::size_t>(side)));
   for (int r = 0; r < side; ++r) {
-    for (int c = 0; c < side; ++c)
+    for (int c = 0; c < side; ++c) {
       black[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] = image.at<uchar>(r, c) < 128;
+    }
   }
   return pattern_from(black, 1.0 / side, -0.5);
 }
@@ -188,10 +189,12 @@ constexpr std::array<Paper, 7> kPapers{{{"a4", 210.0, 297.0},
 
 // Upright if it fits so, else across.
 std::optional<cv::Size2d> fitting(const Paper& paper, const cv::Size2d& needed) {
-  if (needed.width <= paper.width_mm && needed.height <= paper.height_mm)
+  if (needed.width <= paper.width_mm && needed.height <= paper.height_mm) {
     return cv::Size2d(paper.width_mm, paper.height_mm);
-  if (needed.width <= paper.height_mm && needed.height <= paper.width_mm)
+  }
+  if (needed.width <= paper.height_mm && needed.height <= paper.width_mm) {
     return cv::Size2d(paper.height_mm, paper.width_mm);
+  }
   return std::nullopt;
 }
 

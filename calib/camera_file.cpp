@@ -74,8 +74,9 @@ void set_lens(const RawCamera& raw, ar::CameraModel& camera) {
   };
   if (named == ar::LensModel::None) demand(false, "none, or a model's name");
   if (named == ar::LensModel::PlumbBob) demand(count == 4 || count == 5, "k1, k2, p1, p2 and perhaps k3");
-  if (named == ar::LensModel::Rational)
+  if (named == ar::LensModel::Rational) {
     demand(count == 8 || count == 12 || count == 14, "8, 12 or 14 in OpenCV's order");
+  }
   if (named == ar::LensModel::Fisheye) demand(count == 4, "k1, k2, k3, k4");
   camera.lens = named;
   camera.distortion = raw.distortion;

@@ -108,8 +108,9 @@ RawCamera read_kalibr(const YAML::Node& node, const std::filesystem::path& path)
   const YAML::Node intrinsics = camera.require({"intrinsics"}, "[fx, fy, cx, cy]");
   const std::vector<double> k = camera.numbers(intrinsics, "intrinsics");
   raw.intrinsics_where = camera.where(intrinsics);
-  if (k.size() != 4)
+  if (k.size() != 4) {
     refuse(raw.intrinsics_where, "intrinsics", fmt::format("{} numbers", k.size()), "[fx, fy, cx, cy]");
+  }
   raw.intrinsics = {k[0], 0.0, k[2], 0.0, k[1], k[3], 0.0, 0.0, 1.0};
 
   const YAML::Node model = camera.require({"distortion_model"}, "radtan, equidistant or none");

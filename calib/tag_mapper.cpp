@@ -129,8 +129,9 @@ std::optional<ar::Rigid3> Mapper::pair_pose(int a, int b) const {
     auto alone = [&](int id) {
       auto tags = ar::seen_tags(lens_, map_of({{id, ar::Rigid3{}}}), {detection(p, id)});
       std::vector<ar::Rigid3> tag_from_camera;
-      for (const ar::PoseFit& fit : ar::solve_pose(lens_, tags, std::nullopt))
+      for (const ar::PoseFit& fit : ar::solve_pose(lens_, tags, std::nullopt)) {
         tag_from_camera.push_back(fit.world_from_camera);
+      }
       return tag_from_camera;
     };
     for (const ar::Rigid3& a_from_camera : alone(a)) {
@@ -278,8 +279,9 @@ void describe(const TagBundle& bundle, const std::vector<int>& ids, MapResult& o
 }
 
 MapResult Mapper::run() {
-  if (pictures_of_.empty())
+  if (pictures_of_.empty()) {
     throw std::runtime_error(fmt::format("no {} tags in the pictures\nis it the right --family?", family_));
+  }
   MapResult out;
   out.origin = origin();
   std::vector<int> group;

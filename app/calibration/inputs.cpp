@@ -41,9 +41,10 @@ std::vector<std::string> one_by_one(const std::vector<std::string>& inputs) {
     for (const auto& entry : std::filesystem::directory_iterator(input)) {
       if (is_picture(entry.path().string())) inside.push_back(entry.path().string());
     }
-    if (inside.empty())
+    if (inside.empty()) {
       throw ar::InputError(
           fmt::format("{}: no pictures in this folder\naccepted: {}", input, fmt::join(kPictures, ", ")));
+    }
     std::sort(inside.begin(), inside.end());
     files.insert(files.end(), inside.begin(), inside.end());
   }
