@@ -12,7 +12,7 @@ namespace render {
 struct Lighting {
   glm::vec3 sun_direction{0.0F, 0.0F, 1.0F};
   glm::vec3 sun_illuminance{0.0F};
-  float sun_disc_slope = 0.0F;  // tangent of the angular radius
+  float sun_disc_slope = 0.0F;                   // tangent of the angular radius
   std::array<glm::vec3, 9> sky_irradiance_sh{};  // convolved with the cosine
   float white_luminance = 0.0F;                  // of white paper lying level in the open
 

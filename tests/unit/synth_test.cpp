@@ -11,9 +11,9 @@
 #include "app/synth/path.h"
 #include "app/synth/raycast.h"
 #include "app/synth/spec.h"
-#include "ar/track/tag_face.h"
 #include "app/synth/world.h"
 #include "ar/track/detector.h"
+#include "ar/track/tag_face.h"
 
 namespace app::synth {
 namespace {
