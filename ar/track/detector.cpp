@@ -16,6 +16,7 @@
 #include <tuple>
 
 #include "ar/track/grey.h"
+#include "ar/track/tag_family.h"
 
 namespace ar {
 namespace {
@@ -38,7 +39,7 @@ const std::vector<FamilyApi>& family_api() {
   return api;
 }
 
-using FamilyPtr = std::unique_ptr<apriltag_family_t, void (*)(apriltag_family_t*)>;
+}  // namespace
 
 FamilyPtr make_family(const std::string& name) {
   const auto& api = family_api();
@@ -48,6 +49,8 @@ FamilyPtr make_family(const std::string& name) {
   }
   return {found->create(), found->destroy};
 }
+
+namespace {
 
 // The table of codes with two wrong bits takes 3 GB for the 48,714 codes of tagStandard52h13, whose 13 bits of distance
 // make it needless; the library takes two at most in any family.
