@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <linux/videodev2.h>
 #include <sys/ioctl.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -210,11 +211,22 @@ int number_in(const Frame& frame) {
   return number;
 }
 
-std::int64_t resident_bytes() {
-  std::int64_t total = 0;
-  std::int64_t resident = 0;
-  std::ifstream("/proc/self/statm") >> total >> resident;
-  return resident * sysconf(_SC_PAGESIZE);
+std::int64_t own_bytes() {
+  std::ifstream status("/proc/self/status");
+  std::int64_t kibibytes = -1;
+  for (std::string word; status >> word;) {
+    if (word == "RssAnon:") status >> kibibytes;
+  }
+  EXPECT_GE(kibibytes, 0) << "the kernel tells nothing of it";
+  return kibibytes * 1024;
+}
+
+SmallPages::SmallPages() {
+  EXPECT_EQ(prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0), 0);
+}
+
+SmallPages::~SmallPages() {
+  prctl(PR_SET_THP_DISABLE, 0, 0, 0, 0);
 }
 
 int open_files() {

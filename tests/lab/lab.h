@@ -51,8 +51,18 @@ WebcamStream numbered_pictures(bool mjpeg, int width, int height, int count);
 // The number in a frame's picture.
 int number_in(const Frame& frame);
 
-// Resident memory, bytes, and open files of this process.
-std::int64_t resident_bytes();
+// Resident memory that is this process's own (heap, stacks), not pages of libraries, which come as they are called.
+std::int64_t own_bytes();
 int open_files();
+
+// Keeps the kernel from making huge pages of this process's memory while it lives: that takes 2 MiB at some later
+// moment for a stack of which two pages were used, and looks like a leak.
+class SmallPages {
+ public:
+  SmallPages();
+  ~SmallPages();
+  SmallPages(const SmallPages&) = delete;
+  SmallPages& operator=(const SmallPages&) = delete;
+};
 
 }  // namespace ar::testing
