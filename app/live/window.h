@@ -39,9 +39,8 @@ struct WindowWishes {
   std::optional<LiveSettings> settings;  // changed ones
 };
 
-// The window on a desktop, with the panel over the picture. Everything that touches a display is behind this class. It
-// has a GL context of its own, which is current on the calling thread after each call: make another current before
-// using that one. On the main thread.
+// The window of `live`, with the panel over the picture. See DesktopWindow: its GL context is current on the calling
+// thread after each call.
 class LiveWindow {
  public:
   // Throws std::runtime_error that says what to do where there is no display or no GL for it.

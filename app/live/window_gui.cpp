@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace app {
 namespace {
@@ -37,10 +38,19 @@ void on_wheel(GLFWwindow* /*window*/, double /*x*/, double y) {
   ImGui::GetIO().MouseWheel += static_cast<float>(y);
 }
 
-// What was pressed and let go between two frames counts as pressed in one.
-std::array<bool, 3> clicked{};
-void on_button(GLFWwindow* /*window*/, int button, int action, int /*modifiers*/) {
-  if (action == GLFW_PRESS && button >= 0 && button < 3) clicked.at(static_cast<std::size_t>(button)) = true;
+ImVec2 cursor_of(GLFWwindow* window) {
+  double x = 0.0;
+  double y = 0.0;
+  glfwGetCursorPos(window, &x, &y);
+  return {static_cast<float>(x), static_cast<float>(y)};
+}
+
+// What was pressed and let go between two frames counts as pressed in one, where the cursor was then.
+std::array<std::optional<ImVec2>, 3> clicked{};
+void on_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
+  if (action == GLFW_PRESS && button >= 0 && button < 3) {
+    clicked.at(static_cast<std::size_t>(button)) = cursor_of(window);
+  }
 }
 
 }  // namespace
@@ -97,14 +107,12 @@ void WindowGui::begin_frame(double seconds_since_last) {
   glfwGetWindowSize(window_, &width, &height);
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
   io.DeltaTime = static_cast<float>(std::max(seconds_since_last, 1e-4));
-  double x = 0.0;
-  double y = 0.0;
-  glfwGetCursorPos(window_, &x, &y);
-  io.MousePos = {static_cast<float>(x), static_cast<float>(y)};
+  io.MousePos = cursor_of(window_);
   for (int button = 0; button < 3; ++button) {
-    bool& was = clicked.at(static_cast<std::size_t>(button));
+    std::optional<ImVec2>& was = clicked.at(static_cast<std::size_t>(button));
     io.MouseDown[button] = was || glfwGetMouseButton(window_, button) == GLFW_PRESS;
-    was = false;
+    if (was) io.MousePos = *was;
+    was.reset();
   }
   for (const KeyPair& key : kKeys) io.KeysDown[key.glfw] = glfwGetKey(window_, key.glfw) == GLFW_PRESS;
   io.KeyCtrl = glfwGetKey(window_, GLFW_KEY_LEFT_CONTROL) == GLFW_PRESS;

@@ -53,6 +53,23 @@ void WindowPicture::draw(int window_width, int window_height) const {
   glClear(GL_COLOR_BUFFER_BIT);
   const auto [x, y, width, height] = letterboxed(format_.width, format_.height, window_width, window_height);
   glViewport(x, y, width, height);
+  draw_planes();
+}
+
+void WindowPicture::draw_part(const cv::Rect2d& frame, const cv::Point2d& px, double zoom) const {
+  const cv::Point2d middle(frame.x + 0.5 * frame.width, frame.y + 0.5 * frame.height);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(cvRound(frame.x), cvRound(frame.y), cvRound(frame.width), cvRound(frame.height));
+  glClear(GL_COLOR_BUFFER_BIT);
+  const int width = cvRound(zoom * format_.width);
+  const int height = cvRound(zoom * format_.height);
+  // Row 0 is at the viewport's top.
+  glViewport(cvRound(middle.x - zoom * (px.x + 0.5)), cvRound(middle.y - height + zoom * (px.y + 0.5)), width, height);
+  draw_planes();
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void WindowPicture::draw_planes() const {
   program_.use();
   for (int p = 0; p < 3; ++p) planes_.at(static_cast<std::size_t>(p)).bind(p);
   render::gl::draw_full_screen(no_vertices_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <opencv2/core/types.hpp>
 
 #include "ar/output/sink.h"
 #include "render/gl/buffer.h"
@@ -16,8 +17,13 @@ class WindowPicture {
 
   void upload(const ar::OutputFrame& picture);
   void draw(int window_width, int window_height) const;
+  // The picture about `px` (OpenCV's count), `zoom` window pixels a pixel, within `frame`: window pixels from the
+  // bottom left.
+  void draw_part(const cv::Rect2d& frame, const cv::Point2d& px, double zoom) const;
 
  private:
+  void draw_planes() const;
+
   ar::PixelFormat format_;
   std::array<render::gl::Texture, 3> planes_;
   render::gl::Program program_;
