@@ -1,78 +1,46 @@
 #include "calib/bundle.h"
 
-#include <ceres/ceres.h>
+#include <ceres/cost_function.h>
+#include <ceres/loss_function.h>
+#include <ceres/manifold.h>
+#include <ceres/normal_prior.h>
+#include <ceres/ordered_groups.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
 #include <glog/logging.h>
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <limits>
 #include <memory>
 
-#include "calib/projection.h"
+#include "calib/corner_error.h"
 
 namespace calib {
 namespace {
 
-struct CornerError {
-  LensChoice lens;
-  cv::Point2d px;
-  cv::Vec3d on_board;
+// Measured less predicted, with the sign turned: what the solver makes small.
+class CornerCost : public ceres::CostFunction {
+ public:
+  CornerCost(LensChoice lens, const cv::Point2d& px, const cv::Vec3d& on_board, bool with_offset)
+      : lens_(lens), px_(px), on_board_(on_board) {
+    set_num_residuals(2);
+    *mutable_parameter_block_sizes() = {intrinsics_count(lens), 6};
+    if (with_offset) mutable_parameter_block_sizes()->push_back(3);
+  }
 
-  template <typename T>
-  bool operator()(const T* intrinsics, const T* pose, T* residual) const {
-    const T point[3] = {T(on_board[0]), T(on_board[1]), T(on_board[2])};
-    return error_at(intrinsics, pose, point, residual);
+  bool Evaluate(double const* const* blocks, double* residual, double** jacobians) const override {
+    const bool with_offset = parameter_block_sizes().size() > 2;
+    const cv::Vec3d offset = with_offset ? cv::Vec3d(blocks[2]) : cv::Vec3d();
+    const auto wanted = [&](std::size_t i) { return jacobians != nullptr ? jacobians[i] : nullptr; };
+    return corner_error(lens_, px_, blocks[0], blocks[1], on_board_ + offset, residual,
+                        {wanted(0), wanted(1), with_offset ? wanted(2) : nullptr});
   }
-  template <typename T>
-  bool operator()(const T* intrinsics, const T* pose, const T* offset, T* residual) const {
-    const T point[3] = {on_board[0] + offset[0], on_board[1] + offset[1], on_board[2] + offset[2]};
-    return error_at(intrinsics, pose, point, residual);
-  }
-  template <typename T>
-  bool error_at(const T* intrinsics, const T* pose, const T* point, T* residual) const {
-    if (!project_board_point(lens, intrinsics, pose, point, residual)) return false;
-    residual[0] -= px.x;
-    residual[1] -= px.y;
-    return true;
-  }
+
+ private:
+  LensChoice lens_;
+  cv::Point2d px_;
+  cv::Vec3d on_board_;
 };
-
-// What is known of a point's place on the board, in units of the corners' noise.
-struct OffsetPrior {
-  double weight;
-  template <typename T>
-  bool operator()(const T* offset, T* residual) const {
-    for (int i = 0; i < 3; ++i) residual[i] = weight * offset[i];
-    return true;
-  }
-};
-
-template <int N>
-std::unique_ptr<ceres::CostFunction> cost_of_size(const CornerError& error, bool with_offset) {
-  if (with_offset)
-    return std::make_unique<ceres::AutoDiffCostFunction<CornerError, 2, N, 6, 3>>(new CornerError(error));
-  return std::make_unique<ceres::AutoDiffCostFunction<CornerError, 2, N, 6>>(new CornerError(error));
-}
-
-std::unique_ptr<ceres::CostFunction> cost_of(const CornerError& error, bool with_offset) {
-  switch (intrinsics_count(error.lens)) {
-    case 4:
-      return cost_of_size<4>(error, with_offset);
-    case 6:
-      return cost_of_size<6>(error, with_offset);
-    case 8:
-      return cost_of_size<8>(error, with_offset);
-    case 9:
-      return cost_of_size<9>(error, with_offset);
-    default:
-      return cost_of_size<12>(error, with_offset);
-  }
-}
-
-CornerError corner_error(const Bundle& bundle, std::size_t view, std::size_t i) {
-  const auto point = static_cast<std::size_t>(bundle.views[view]->points[i]);
-  return {bundle.lens, bundle.px[view][i], bundle.board->points[point]};
-}
 
 // Calls with each used corner: view, index within it, index of its point on the board.
 template <typename Visit>
@@ -109,15 +77,16 @@ void fill(Bundle& bundle, const MinimiseOptions& options, ceres::Problem& proble
   for_each_corner(bundle, [&](std::size_t v, std::size_t i, std::size_t point) {
     std::vector<double*> blocks{bundle.intrinsics.data(), bundle.poses[v].data()};
     if (with_offset) blocks.push_back(bundle.offsets[point].data());
-    problem.AddResidualBlock(cost_of(corner_error(bundle, v, i), with_offset).release(), loss(), blocks);
+    problem.AddResidualBlock(new CornerCost(bundle.lens, bundle.px[v][i], bundle.board->points[point], with_offset),
+                             loss(), blocks);
   });
   hold_intrinsics(options, bundle, problem);
   if (!with_offset) return;
   for (auto& offset : bundle.offsets) {
     if (!problem.HasParameterBlock(offset.data())) continue;
-    const double weight = options.noise_px / bundle.offset_sigma_m;
-    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<OffsetPrior, 3, 3>(new OffsetPrior{weight}), nullptr,
-                             offset.data());
+    // What is known of a point's place on the board, in units of the corners' noise.
+    const ceres::Matrix weight = ceres::Matrix::Identity(3, 3) * (options.noise_px / bundle.offset_sigma_m);
+    problem.AddResidualBlock(new ceres::NormalPrior(weight, ceres::Vector::Zero(3)), nullptr, offset.data());
     hold_offset_axes(bundle, problem, offset.data());
   }
 }
@@ -147,94 +116,6 @@ bool is_finite(const Bundle& bundle) {
   return bundle.intrinsics[0] > 0.0 && bundle.intrinsics[1] > 0.0;
 }
 
-// Normal equations in blocks: shared parameters (intrinsics, then the free offsets), and one pose after the other.
-class NormalEquations {
- public:
-  explicit NormalEquations(int shared) : shared_(Eigen::MatrixXd::Zero(shared, shared)) { begin_pose(); }
-
-  void begin_pose() {
-    pose_ = Eigen::Matrix<double, 6, 6>::Zero();
-    cross_ = Eigen::MatrixXd::Zero(shared_.rows(), 6);
-  }
-  void add(const Eigen::MatrixXd& by_shared, const std::vector<int>& columns,
-           const Eigen::Matrix<double, 2, 6>& by_pose) {
-    const Eigen::MatrixXd square = by_shared.transpose() * by_shared;
-    const Eigen::MatrixXd mixed = by_shared.transpose() * by_pose;
-    for (int a = 0; a < square.rows(); ++a) {
-      const int row = columns[static_cast<std::size_t>(a)];
-      cross_.row(row) += mixed.row(a);
-      for (int b = 0; b < square.cols(); ++b) shared_(row, columns[static_cast<std::size_t>(b)]) += square(a, b);
-    }
-    pose_ += by_pose.transpose() * by_pose;
-  }
-  // The pose is left free: what the corners said about it is no longer there for the shared parameters.
-  void end_pose() { shared_ -= cross_ * pose_.ldlt().solve(cross_.transpose()); }
-  void add_diagonal(int column, double value) { shared_(column, column) += value; }
-  const Eigen::MatrixXd& shared() const { return shared_; }
-
- private:
-  Eigen::MatrixXd shared_;
-  Eigen::Matrix<double, 6, 6> pose_;
-  Eigen::MatrixXd cross_;
-};
-
-// Columns of a point's free offsets among the shared parameters, and which of its three axes they are.
-struct FreeAxes {
-  std::vector<int> axes;
-  int column_of(std::size_t point, int intrinsics, std::size_t k) const {
-    return intrinsics + static_cast<int>(point * axes.size() + k);
-  }
-};
-
-void add_corner(const Bundle& bundle, std::size_t v, std::size_t i, std::size_t point, const FreeAxes& free,
-                NormalEquations& equations) {
-  const int count = intrinsics_count(bundle.lens);
-  Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor> by_intrinsics(2, count);
-  Eigen::Matrix<double, 2, 6, Eigen::RowMajor> by_pose;
-  Eigen::Matrix<double, 2, 3, Eigen::RowMajor> by_offset;
-  const double* blocks[] = {bundle.intrinsics.data(), bundle.poses[v].data(), bundle.offsets[point].data()};
-  double* jacobians[] = {by_intrinsics.data(), by_pose.data(), by_offset.data()};
-  double residual[2];
-  if (!cost_of(corner_error(bundle, v, i), true)->Evaluate(blocks, residual, jacobians)) return;
-  const auto axes = static_cast<int>(free.axes.size());
-  Eigen::MatrixXd by_shared(2, count + axes);
-  by_shared.leftCols(count) = by_intrinsics;
-  std::vector<int> columns(static_cast<std::size_t>(count));
-  for (int c = 0; c < count; ++c) columns[static_cast<std::size_t>(c)] = c;
-  for (int k = 0; k < axes; ++k) {
-    by_shared.col(count + k) = by_offset.col(free.axes[static_cast<std::size_t>(k)]);
-    columns.push_back(free.column_of(point, count, static_cast<std::size_t>(k)));
-  }
-  equations.add(by_shared, columns, by_pose);
-}
-
-Information invert(const Eigen::MatrixXd& shared, int intrinsics) {
-  Information out;
-  out.covariance = cv::Mat_<double>(intrinsics, intrinsics, 0.0);
-  for (int i = 0; i < intrinsics; ++i) out.covariance(i, i) = std::numeric_limits<double>::infinity();
-  // Offsets are left free first; their prior keeps that block regular.
-  const Eigen::Index n = intrinsics;
-  const Eigen::Index m = shared.rows() - n;
-  Eigen::MatrixXd information = shared.topLeftCorner(n, n);
-  if (m > 0) {
-    information -=
-        shared.topRightCorner(n, m) * shared.bottomRightCorner(m, m).ldlt().solve(shared.bottomLeftCorner(m, n));
-  }
-  const Eigen::VectorXd scale = information.diagonal().cwiseMax(0.0).cwiseSqrt();
-  if (!(scale.minCoeff() > 0.0) || !information.allFinite()) return out;
-  const Eigen::VectorXd inverse_scale = scale.cwiseInverse();
-  const Eigen::MatrixXd scaled = inverse_scale.asDiagonal() * information * inverse_scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-  out.conditioning = std::max(0.0, eigen.eigenvalues()(0)) / eigen.eigenvalues()(n - 1);
-  if (out.conditioning < 1e-13) return out;
-  const Eigen::MatrixXd inverse =
-      eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
-  for (int r = 0; r < intrinsics; ++r) {
-    for (int c = 0; c < intrinsics; ++c) out.covariance(r, c) = inverse(r, c) * inverse_scale(r) * inverse_scale(c);
-  }
-  return out;
-}
-
 }  // namespace
 
 bool minimise(Bundle& bundle, const MinimiseOptions& options) {
@@ -262,35 +143,12 @@ std::vector<cv::Point2d> residuals(const Bundle& bundle, std::size_t view) {
   for (std::size_t i = 0; i < bundle.px[view].size(); ++i) {
     const auto point = static_cast<std::size_t>(bundle.views[view]->points[i]);
     double r[2];
-    const bool fine = corner_error(bundle, view, i)(bundle.intrinsics.data(), bundle.poses[view].data(),
-                                                    bundle.offsets[point].data(), r);
+    const bool fine = corner_error(bundle.lens, bundle.px[view][i], bundle.intrinsics.data(), bundle.poses[view].data(),
+                                   bundle.point_on_board(point), r, {});
     const double nowhere = std::numeric_limits<double>::quiet_NaN();
     out.emplace_back(fine ? -r[0] : nowhere, fine ? -r[1] : nowhere);
   }
   return out;
-}
-
-Information intrinsics_information(const Bundle& bundle, double noise_px) {
-  FreeAxes free;
-  if (bundle.free_layout) free.axes = {0, 1};
-  if (bundle.free_flatness) free.axes.push_back(2);
-  const int count = intrinsics_count(bundle.lens);
-  const int shared = count + static_cast<int>(free.axes.size() * bundle.offsets.size());
-  NormalEquations equations(shared);
-  for (int c = count; c < shared; ++c) {
-    equations.add_diagonal(c, noise_px * noise_px / (bundle.offset_sigma_m * bundle.offset_sigma_m));
-  }
-  for (std::size_t v = 0; v < bundle.views.size(); ++v) {
-    equations.begin_pose();
-    bool any = false;
-    for (std::size_t i = 0; i < bundle.px[v].size(); ++i) {
-      if (!bundle.used[v][i]) continue;
-      add_corner(bundle, v, i, static_cast<std::size_t>(bundle.views[v]->points[i]), free, equations);
-      any = true;
-    }
-    if (any) equations.end_pose();
-  }
-  return invert(equations.shared(), count);
 }
 
 }  // namespace calib

@@ -24,6 +24,11 @@ struct Bundle {
   bool free_layout = false;
   bool free_flatness = false;
 
+  // A point of the board where it is taken to be.
+  cv::Vec3d point_on_board(std::size_t point) const {
+    const auto& offset = offsets[point];
+    return board->points[point] + cv::Vec3d(offset[0], offset[1], offset[2]);
+  }
   bool frees_offsets() const { return free_layout || free_flatness; }
 };
 
@@ -42,13 +47,5 @@ bool minimise(Bundle& bundle, const MinimiseOptions& options);
 
 // Residuals measured - predicted of one view; NaN where a point cannot be projected.
 std::vector<cv::Point2d> residuals(const Bundle& bundle, std::size_t view);
-
-// Inverse of the intrinsics' information, poses and board errors left free, for corners of 1 px noise (multiply by the
-// noise's variance): the inverse of the Schur complement of the normal equations. Infinite diagonal where singular.
-struct Information {
-  cv::Mat_<double> covariance;
-  double conditioning = 0.0;  // smallest over largest eigenvalue of the information scaled to unit diagonal
-};
-Information intrinsics_information(const Bundle& bundle, double noise_px);
 
 }  // namespace calib

@@ -7,6 +7,7 @@
 #include "ar/track/bent_edges.h"
 #include "ar/track/lens.h"
 #include "calib/bundle.h"
+#include "calib/information.h"
 #include "calib/start.h"
 #include "calib/weak_direction.h"
 
@@ -120,8 +121,7 @@ void straighten_tags(Bundle& bundle, const ar::CameraModel& camera) {
       ar::SeenTag tag;
       for (std::size_t k = 0; k < 4; ++k) {
         const auto point = static_cast<std::size_t>(view.points[i + k]);
-        const auto& offset = bundle.offsets[point];
-        tag.corners_in_world[k] = bundle.board->points[point] + cv::Vec3d(offset[0], offset[1], offset[2]);
+        tag.corners_in_world[k] = bundle.point_on_board(point);
         tag.measured_px[k] = tag.corners_px[k] = view.px[i + k];
       }
       ar::straighten(lens, pose_of(bundle.poses[v]).inverse(), tag);

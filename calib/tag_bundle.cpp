@@ -1,16 +1,20 @@
 #include "calib/tag_bundle.h"
 
-#include <ceres/ceres.h>
+#include <ceres/loss_function.h>
+#include <ceres/problem.h>
+#include <ceres/sized_cost_function.h>
+#include <ceres/solver.h>
 #include <glog/logging.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 
 #include "ar/track/lens.h"
 #include "ar/track/tag_map.h"
-#include "calib/projection.h"
+#include "calib/corner_error.h"
 
 namespace calib {
 namespace {
@@ -27,25 +31,29 @@ ar::Rigid3 pose_of(const Pose& p) {
 }
 
 // One corner: the map's point from the tag's pose, then the camera's picture of it.
-struct TagCornerError {
-  LensChoice lens;
-  const double* intrinsics;
-  cv::Vec3d in_tag;
-  cv::Point2d px;
+class TagCornerCost : public ceres::SizedCostFunction<2, 6, 6> {
+ public:
+  TagCornerCost(LensChoice lens, const double* intrinsics, const cv::Vec3d& in_tag, const cv::Point2d& px)
+      : lens_(lens), intrinsics_(intrinsics), in_tag_(in_tag), px_(px) {}
 
-  template <typename T>
-  bool operator()(const T* camera_from_map, const T* map_from_tag, T* residual) const {
-    const T in_tag_t[3] = {T(in_tag[0]), T(in_tag[1]), T(in_tag[2])};
-    T in_map[3];
-    ceres::AngleAxisRotatePoint(map_from_tag, in_tag_t, in_map);
-    for (int i = 0; i < 3; ++i) in_map[i] += map_from_tag[3 + i];
-    T v[12];
-    for (int i = 0; i < intrinsics_count(lens); ++i) v[i] = T(intrinsics[i]);
-    if (!project_board_point(lens, v, camera_from_map, in_map, residual)) return false;
-    residual[0] -= px.x;
-    residual[1] -= px.y;
+  // Blocks: camera from map, map from tag.
+  bool Evaluate(double const* const* blocks, double* residual, double** jacobians) const override {
+    cv::Matx<double, 3, 6> by_tag;
+    const cv::Vec3d in_map = transformed(blocks[1], in_tag_, &by_tag);
+    cv::Matx23d by_map_point;
+    const CornerJacobians wanted{nullptr, jacobians != nullptr ? jacobians[0] : nullptr, by_map_point.val};
+    if (!corner_error(lens_, px_, intrinsics_, blocks[0], in_map, residual, wanted)) return false;
+    if (jacobians == nullptr || jacobians[1] == nullptr) return true;
+    const cv::Matx<double, 2, 6> chained = by_map_point * by_tag;
+    std::copy(std::begin(chained.val), std::end(chained.val), jacobians[1]);
     return true;
   }
+
+ private:
+  LensChoice lens_;
+  const double* intrinsics_;
+  cv::Vec3d in_tag_;
+  cv::Point2d px_;
 };
 
 struct Parameters {
@@ -66,8 +74,7 @@ void fill(const TagBundle& bundle, double robust_scale_px, LensChoice lens, cons
     if (!seen.used) continue;
     const auto in_tag = ar::corners_in_tag(bundle.tag_size_m[seen.tag]);
     for (std::size_t i = 0; i < 4; ++i) {
-      problem.AddResidualBlock(new ceres::AutoDiffCostFunction<TagCornerError, 2, 6, 6>(
-                                   new TagCornerError{lens, intrinsics.data(), in_tag[i], seen.px[i]}),
+      problem.AddResidualBlock(new TagCornerCost(lens, intrinsics.data(), in_tag[i], seen.px[i]),
                                robust_scale_px > 0.0 ? new ceres::CauchyLoss(robust_scale_px) : nullptr,
                                p.cameras[seen.camera].data(), p.tags[seen.tag].data());
     }

@@ -46,18 +46,8 @@ CellDerivatives derivatives_at(const Solution& solution, const ar::Lens& lens, c
   out.by_rotation = by_rotation(lens, *ideal);
   out.by_intrinsics.create(2, static_cast<int>(solution.intrinsics.size()));
   const double point[3] = {ideal->x, ideal->y, 1.0};
-  for (int i = 0; i < out.by_intrinsics.cols; ++i) {
-    // Each number is changed by about its own error, at least by what double precision can resolve.
-    std::vector<double> v = solution.intrinsics;
-    const double step = 1e-6 * (1.0 + std::abs(v[static_cast<std::size_t>(i)]));
-    double ahead[2];
-    double behind[2];
-    v[static_cast<std::size_t>(i)] += step;
-    project_point(solution.lens, v.data(), point, ahead);
-    v[static_cast<std::size_t>(i)] -= 2.0 * step;
-    project_point(solution.lens, v.data(), point, behind);
-    for (int r = 0; r < 2; ++r) out.by_intrinsics(r, i) = (ahead[r] - behind[r]) / (2.0 * step);
-  }
+  double pixel[2];
+  project_point(solution.lens, solution.intrinsics.data(), point, pixel, out.by_intrinsics.ptr<double>());
   return out;
 }
 

@@ -1,7 +1,5 @@
 #include "calib/weak_direction.h"
 
-#include <ceres/jet.h>
-
 #include <Eigen/Dense>
 #include <cmath>
 #include <optional>
@@ -11,9 +9,6 @@
 
 namespace calib {
 namespace {
-
-constexpr int kMost = 12;  // intrinsics
-using Jet = ceres::Jet<double, kMost>;
 
 constexpr double kRise = 9.0;       // of the sum of squares, in variances: three standard deviations
 constexpr double kFarthest = 64.0;  // in linear reaches
@@ -57,12 +52,9 @@ class CornerField {
     for (std::size_t i = 0; i < bundle_.px[v].size(); ++i) {
       if (!bundle_.used[v][i]) continue;
       const auto point = static_cast<std::size_t>(bundle_.views[v]->points[i]);
-      const auto& offset = bundle_.offsets[point];
-      const cv::Vec3d on_board = bundle_.board->points[point] + cv::Vec3d(offset[0], offset[1], offset[2]);
-      double at[3];
-      ceres::AngleAxisRotatePoint(pose.data(), on_board.val, at);
-      view.points.emplace_back(at[0] + pose[3], at[1] + pose[4], at[2] + pose[5]);
-      by_pose.push_back(pose_derivative(view.points.back(), {at[0], at[1], at[2]}));
+      cv::Matx<double, 3, 6> point_by_pose;
+      view.points.push_back(transformed(pose.data(), bundle_.point_on_board(point), &point_by_pose));
+      by_pose.push_back(pose_derivative(view.points.back(), point_by_pose));
     }
     if (view.points.size() < 4) return;
     Eigen::MatrixXd stacked(2 * static_cast<Eigen::Index>(by_pose.size()), 6);
@@ -73,42 +65,29 @@ class CornerField {
     views_.push_back(std::move(view));
   }
 
-  // By a turn about the camera's axes through the board's origin, and a shift.
-  Eigen::Matrix<double, 2, 6> pose_derivative(const cv::Vec3d& point, const cv::Vec3d& turned) const {
-    using PointJet = ceres::Jet<double, 3>;
-    PointJet p[3];
-    PointJet px[2];
-    std::vector<PointJet> v(bundle_.intrinsics.begin(), bundle_.intrinsics.end());
-    for (int i = 0; i < 3; ++i) p[i] = PointJet(point[i], i);
-    Eigen::Matrix<double, 2, 6> out = Eigen::Matrix<double, 2, 6>::Zero();
-    if (!project_point(bundle_.lens, v.data(), p, px)) return out;
-    Eigen::Matrix<double, 2, 3> by_point;
-    by_point.row(0) = px[0].v;
-    by_point.row(1) = px[1].v;
-    Eigen::Matrix3d cross;
-    cross << 0.0, -turned[2], turned[1], turned[2], 0.0, -turned[0], -turned[1], turned[0], 0.0;
-    out << -by_point * cross, by_point;
-    return out;
+  Eigen::Matrix<double, 2, 6> pose_derivative(const cv::Vec3d& point, const cv::Matx<double, 3, 6>& by_pose) const {
+    double px[2];
+    cv::Matx23d by_point;
+    cv::Matx<double, 2, 6> out;
+    if (project_point(bundle_.lens, bundle_.intrinsics.data(), point.val, px, nullptr, by_point.val)) {
+      out = by_point * by_pose;
+    }
+    return Eigen::Map<const Eigen::Matrix<double, 2, 6, Eigen::RowMajor>>(out.val);
   }
 
   Eigen::VectorXd evaluate(const Eigen::VectorXd& intrinsics, Eigen::MatrixXd* by_intrinsics) const {
-    Jet v[kMost];
-    for (int i = 0; i < n_; ++i) v[i] = Jet(intrinsics(i), i);
     Eigen::Index rows = 0;
     for (const View& view : views_) rows += static_cast<Eigen::Index>(2 * view.points.size());
     Eigen::VectorXd out(rows);
     if (by_intrinsics != nullptr) by_intrinsics->resize(rows, n_);
+    Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor> derivatives(2, n_);
     Eigen::Index row = 0;
     for (const View& view : views_) {
       for (const cv::Vec3d& point : view.points) {
-        const Jet p[3] = {Jet(point[0]), Jet(point[1]), Jet(point[2])};
-        Jet px[2];
-        project_point(bundle_.lens, v, p, px);
-        for (const Jet& coordinate : px) {
-          out(row) = coordinate.a;
-          if (by_intrinsics != nullptr) by_intrinsics->row(row) = coordinate.v.head(n_);
-          ++row;
-        }
+        project_point(bundle_.lens, intrinsics.data(), point.val, out.data() + row,
+                      by_intrinsics != nullptr ? derivatives.data() : nullptr);
+        if (by_intrinsics != nullptr) by_intrinsics->middleRows(row, 2) = derivatives;
+        row += 2;
       }
     }
     return out;

@@ -8,8 +8,8 @@
 
 #include "ar/track/lens.h"
 #include "calib/board_check.h"
+#include "calib/corner_error.h"
 #include "calib/judge.h"
-#include "calib/projection.h"
 #include "calib/solver.h"
 #include "calib/view_choice.h"
 #include "tests/lab/board_views.h"
@@ -52,6 +52,43 @@ TEST_P(EveryLens, IsProjectedByTheSolverAsByTheTracker) {
       ASSERT_TRUE(expected.has_value());
       EXPECT_NEAR(px[0], expected->x, 1e-9);
       EXPECT_NEAR(px[1], expected->y, 1e-9);
+    }
+  }
+}
+
+// Central differences of 1e-6: their own error is 1e-12 of the third derivative and 1e-10 px / 1e-6 of rounding.
+TEST_P(EveryLens, IsDifferentiatedAsDifferencesShow) {
+  const std::vector<double> v = calib::intrinsics_of(GetParam(), true_camera(GetParam()));
+  const int n = calib::intrinsics_count(GetParam());
+  constexpr double kStep = 1e-6;
+  for (const cv::Vec3d& on_board : {cv::Vec3d(0.0, 0.0, 0.0), cv::Vec3d(0.21, -0.13, 0.0), cv::Vec3d(-0.3, 0.2, 0.1)}) {
+    for (const double turn : {0.0, 1e-5, 0.7}) {
+      std::vector<double> numbers = v;
+      numbers.insert(numbers.end(), {0.3 * turn, -turn, 0.5 * turn, 0.0, 0.0, 1.1});
+      numbers.insert(numbers.end(), on_board.val, on_board.val + 3);
+      const auto error = [&](const std::vector<double>& at, const calib::CornerJacobians& wanted) {
+        cv::Vec2d px;
+        const double* pose = at.data() + n;
+        EXPECT_TRUE(calib::corner_error(GetParam(), {}, at.data(), pose, cv::Vec3d(pose + 6), px.val, wanted));
+        return px;
+      };
+      std::vector<double> by_intrinsics(2 * v.size());
+      double by_pose[12];
+      double by_point[6];
+      error(numbers, {by_intrinsics.data(), by_pose, by_point});
+      for (int i = 0; i < n + 9; ++i) {
+        std::vector<double> ahead = numbers;
+        std::vector<double> behind = numbers;
+        ahead[static_cast<std::size_t>(i)] += kStep;
+        behind[static_cast<std::size_t>(i)] -= kStep;
+        const cv::Vec2d slope = (error(ahead, {}) - error(behind, {})) / (2.0 * kStep);
+        for (int row = 0; row < 2; ++row) {
+          const double told = i < n       ? by_intrinsics[static_cast<std::size_t>(row * n + i)]
+                              : i < n + 6 ? by_pose[row * 6 + i - n]
+                                          : by_point[row * 3 + i - n - 6];
+          EXPECT_NEAR(told, slope[row], 1e-3) << "number " << i << ", coordinate " << row << ", turn " << turn;
+        }
+      }
     }
   }
 }
