@@ -190,18 +190,20 @@ ShownPicture DrawStage::draw(TrackedLiveFrame frame) {
     render::copy_picture(view_of(finished.source), view_of(*finished.rendered));
   }
   last_ = {.picture = std::move(*finished.rendered), .time_s = time_s, .held = false};
+  held_.reset();
   return *last_;
 }
 
-std::optional<ShownPicture> DrawStage::held() const {
-  if (!last_) return std::nullopt;
+std::optional<ShownPicture> DrawStage::held() {
+  if (held_ || !last_) return held_;
   // What was shown may still be on its way into the recording: the mark goes onto a copy.
   ar::FramePool pool(format_);
   ShownPicture marked{.picture = pool.allocate(), .time_s = last_->time_s, .held = true};
   const ar::Frame source = as_source(last_->picture);
   render::copy_picture(view_of(source), view_of(marked.picture));
   mark_as_held(marked.picture);
-  return marked;
+  held_ = std::move(marked);
+  return held_;
 }
 
 }  // namespace app

@@ -29,7 +29,7 @@ class DrawStage {
   // The frame with the scene over it; as it is while its pose is not known.
   ShownPicture draw(TrackedLiveFrame frame);
   // The last picture with a mark on it that says that it stands still. Nothing before the first.
-  std::optional<ShownPicture> held() const;
+  std::optional<ShownPicture> held();
   const std::optional<ShownPicture>& last() const { return last_; }
 
   void make_current() { renderer_.make_current(); }
@@ -64,6 +64,7 @@ class DrawStage {
   double elapsed_s_ = 0.0;
   std::int64_t frames_ = 0;
   std::optional<ShownPicture> last_;
+  std::optional<ShownPicture> held_;  // the last one with the mark, once it was asked for
 };
 
 }  // namespace app

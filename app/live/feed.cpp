@@ -120,7 +120,7 @@ bool LiveFeed::reconnect(const std::stop_token& stop, const std::string& reason)
   }
   const auto since = LiveClock::now();
   const auto until = giving_up_after(since, options_.reconnect_for_s);
-  spdlog::warn("{}: {}; the last picture is held", info_.name, reason);
+  spdlog::warn("{}; the last picture is held", reason);
   std::chrono::milliseconds wait = options_.first_wait;
   while (!stop.stop_requested()) {
     if (LiveClock::now() >= until) {

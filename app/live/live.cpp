@@ -160,9 +160,8 @@ int Session::run() {
   facts_.interrupted = InterruptGuard::requested();
   finish();
   if (feed_.gave_up()) {
-    throw ar::InputError(fmt::format(
-        "{}: lost, and not back in time: {}\nconnect it again; --reconnect SECONDS says how long to wait for it",
-        feed_.info().name, feed_.lost()));
+    throw ar::InputError(feed_.lost() +
+                         "\nconnect it again; --reconnect SECONDS says how long to wait for it (0: not at all)");
   }
   return facts_.interrupted ? kInterrupted : kDone;
 }

@@ -1,48 +1,31 @@
-// `skyshaft live` on the webcam, as a user runs it: poses as those of `process` on the same pictures.
+// `skyshaft live` on the webcam, as a user runs it: poses as those of `process` on the same pictures, and a camera that
+// is pulled out while it runs.
 
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
-#include <utility>
 
 #include "ar/capture/source.h"
 #include "tests/lab/lab.h"
+#include "tests/lab/running_program.h"
 #include "tests/lab/webcam.h"
 
 namespace ar::testing {
 namespace {
 
-const std::string kProgram = SKYSHAFT_BINARY_DIR "/skyshaft";
-const std::string kClip = SKYSHAFT_BINARY_DIR "/lab/clip";  // see tests/lab/make_clip.sh
-
-// The clip's pictures as a webcam gives them.
-WebcamStream clip_pictures() {
-  WebcamStream stream;
-  const auto source = open_source(kClip + ".mp4");
-  while (const auto frame = source->next()) {
-    stream.width = frame->format.width;
-    stream.height = frame->format.height;
-    Bytes picture;
-    for (int y = 0; y < stream.height; ++y) {
-      for (int x = 0; x < stream.width; ++x) {
-        const std::size_t chroma = x % 2 == 0 ? 1 : 2;
-        picture.push_back(frame->plane[0][y * frame->stride_bytes[0] + x]);
-        picture.push_back(frame->plane[chroma][y / 2 * frame->stride_bytes[chroma] + x / 2]);
-      }
-    }
-    stream.pictures.push_back(std::move(picture));
-  }
-  return stream;
-}
+constexpr int kRate = 4;  // of the clip and of the webcam, frames a second
+// The clip's camera moves 35 mm a frame: a pose that is nearer than this to one's is of that frame.
+constexpr double kNearM = 0.017;
 
 struct Pose {
+  double time_s;
   double position_m[3];
 };
 
@@ -58,7 +41,7 @@ std::map<int, Pose> read_poses(const std::string& path) {
     std::vector<std::string> cells;
     for (std::string cell; std::getline(fields, cell, ',');) cells.push_back(cell);
     if (cells.size() < 6 || cells[2] != "tracking") continue;
-    poses[std::stoi(cells[0])] = {{std::stod(cells[3]), std::stod(cells[4]), std::stod(cells[5])}};
+    poses[std::stoi(cells[0])] = {std::stod(cells[1]), {std::stod(cells[3]), std::stod(cells[4]), std::stod(cells[5])}};
   }
   return poses;
 }
@@ -68,65 +51,136 @@ double distance_m(const Pose& a, const Pose& b) {
                     a.position_m[2] - b.position_m[2]);
 }
 
-// Runs the program beside the test.
-pid_t start(const std::string& arguments) {
-  const pid_t child = fork();
-  if (child != 0) return child;
-  execl("/bin/sh", "sh", "-c", ("exec " + kProgram + arguments + " 2>&1").c_str(), nullptr);
-  _exit(127);
+double to_nearest_m(const Pose& pose, const std::map<int, Pose>& others) {
+  double nearest_m = HUGE_VAL;
+  for (const auto& [frame, other] : others) nearest_m = std::min(nearest_m, distance_m(pose, other));
+  return nearest_m;
 }
 
-// Processor time that it has used, in the kernel's ticks.
-long used_ticks(pid_t process) {
-  std::ifstream stat(fmt::format("/proc/{}/stat", process));
-  std::string word;
-  for (int i = 0; i < 13; ++i) stat >> word;
-  long user = 0;
-  long system = 0;
-  stat >> user >> system;
-  return user + system;
-}
+class Program : public ::testing::Test {
+ protected:
+  Program() { webcam_.hold_pictures(true); }
 
-// Until it does nothing for two seconds: it has set everything up and waits for its first frame.
-bool waits(pid_t process) {
-  long used = -1;
-  return eventually(
-      [&] {
-        std::this_thread::sleep_for(2s);
-        return std::exchange(used, used_ticks(process)) + 5 > used;
-      },
-      90s);
-}
+  // Full quality from the start: no others are tried first, which would take the lab's machine half a minute.
+  static std::string arguments(const std::string& more) {
+    return fmt::format(
+        "live --headless --target-ms 0 --source v4l2:{} --scene {}.scene.yaml --camera {}.camera.yaml --overwrite {}",
+        await_node("uvcvideo"), lab_clip(), lab_clip(), more);
+  }
 
-TEST(Program, TracksTheWebcamAsProcessTracksTheSamePictures) {
-  Webcam webcam(unplugged({"program", 4, {clip_pictures()}}));
-  const std::string node = await_node("uvcvideo");
-  webcam.hold_pictures(true);
-  const pid_t program = start(fmt::format(
-      " live --headless --source v4l2:{0} --duration 9 --poses /tmp/live.csv --scene {1}.scene.yaml --camera "
-      "{1}.camera.yaml",
-      node, kClip));
-  EXPECT_TRUE(waits(program));
-  webcam.hold_pictures(false);
-  int status = -1;
-  waitpid(program, &status, 0);
-  EXPECT_EQ(status, 0);
-  const std::map<int, Pose> offline = read_poses(kClip + ".poses.csv");
+  Webcam webcam_{unplugged({"program", kRate, {clip_pictures()}})};
+  std::map<int, Pose> offline_ = read_poses(lab_clip() + ".poses.csv");
+};
+
+TEST_F(Program, TracksTheWebcamAsProcessTracksTheSamePictures) {
+  RunningProgram program(arguments("--duration 9 --poses /tmp/live.csv"), "/tmp/live.log");
+  EXPECT_TRUE(program.waits());
+  webcam_.hold_pictures(false);
+  EXPECT_EQ(program.status(), 0) << program.log();
   const std::map<int, Pose> live = read_poses("/tmp/live.csv");
-  ASSERT_EQ(offline.size(), 30U);
+  ASSERT_EQ(offline_.size(), 30U);
   double largest_m = 0.0;
   int compared = 0;
   for (const auto& [frame, pose] : live) {
-    const auto same = offline.find(frame);
-    if (same == offline.end()) continue;  // the webcam begins anew
+    const auto same = offline_.find(frame);
+    if (same == offline_.end()) continue;  // the webcam begins anew
     ++compared;
     largest_m = std::max(largest_m, distance_m(pose, same->second));
   }
   std::printf("%d poses, at most %.2f mm from those of process\n", compared, largest_m * 1e3);
   EXPECT_GE(compared, 20) << "the lab's machine may drop a few";
   // Where the tags are looked for, and so what is found to a fraction of a pixel, depends on the frames before and on
-  // their times. The camera moves 35 mm a frame: each pose must be nearer to its own frame's than to any other's.
-  EXPECT_LT(largest_m, 0.017);
+  // their times.
+  EXPECT_LT(largest_m, kNearM);
+}
+
+// What a recording shows of a camera that went away and came back.
+struct Recording {
+  int before = 0;
+  int held = 0;  // frames with stripes along their edges
+  int after = 0;
+  double held_for_s = 0.0;
+};
+
+// Black and white by turns in the second row.
+bool striped(const Frame& frame) {
+  int dark = 0;
+  int bright = 0;
+  for (int x = 0; x < frame.format.width; ++x) {
+    const int luma = frame.plane[0][frame.stride_bytes[0] + x];
+    if (luma < 60) ++dark;
+    if (luma > 190) ++bright;
+  }
+  return dark > frame.format.width / 4 && bright > frame.format.width / 4;
+}
+
+Recording watch(const std::string& path) {
+  Recording recording;
+  const auto source = open_source(path);
+  double held_s = 0.0;
+  while (const auto frame = source->next()) {
+    if (striped(*frame)) {
+      ++recording.held;
+      held_s = frame->time_s;
+    } else if (recording.held == 0) {
+      ++recording.before;
+    } else if (++recording.after == 1) {
+      recording.held_for_s = frame->time_s - held_s;
+    }
+  }
+  return recording;
+}
+
+TEST_F(Program, HoldsThePictureOfACameraThatIsPulledOutAndGoesOnWhenItIsBack) {
+  RunningProgram program(arguments("--poses /tmp/back.csv --record /tmp/back.mp4 --report /tmp/back.json"),
+                         "/tmp/back.log");
+  EXPECT_TRUE(program.waits());
+  webcam_.hold_pictures(false);
+  std::this_thread::sleep_for(4s);
+  webcam_.pull_out();
+  EXPECT_TRUE(program.says("the camera is gone; the last picture is held")) << program.log();
+  std::this_thread::sleep_for(2s);
+  webcam_.plug_in();
+  EXPECT_TRUE(program.says("back after")) << program.log();
+  std::this_thread::sleep_for(4s);
+  program.send(SIGINT);
+  EXPECT_EQ(program.status(), 130) << program.log();
+
+  const auto report = nlohmann::json::parse(std::ifstream("/tmp/back.json"));
+  EXPECT_EQ(report["losses"], 1);
+  EXPECT_EQ(report["reconnections"], 1);
+  const Recording recording = watch("/tmp/back.mp4");
+  EXPECT_EQ(recording.before + recording.held + recording.after, report["frames"]["recorded"]);
+  EXPECT_GE(recording.before, 4);
+  EXPECT_EQ(recording.held, 1) << "once is enough: it lasts until the next";
+  EXPECT_GE(recording.after, 4);
+  EXPECT_GT(recording.held_for_s, 1.5);
+
+  const std::map<int, Pose> live = read_poses("/tmp/back.csv");
+  int after = 0;
+  double last_s = -1.0;
+  for (const auto& [frame, pose] : live) {
+    if (after > 0 || (last_s >= 0.0 && pose.time_s - last_s > 1.5)) ++after;
+    last_s = pose.time_s;
+    EXPECT_LT(to_nearest_m(pose, offline_), kNearM) << "frame " << frame;
+  }
+  EXPECT_GE(after, 4) << "tracked again\n" << program.log();
+}
+
+TEST_F(Program, EndsWithStatus3AndAFinishedRecordingWhereNobodyWantsToWait) {
+  RunningProgram program(arguments("--reconnect 0 --record /tmp/gone.mkv"), "/tmp/gone.log");
+  EXPECT_TRUE(program.waits());
+  webcam_.hold_pictures(false);
+  std::this_thread::sleep_for(4s);
+  webcam_.pull_out();
+  EXPECT_EQ(program.status(), 3) << program.log();
+  const std::string log = program.log();
+  const std::size_t error = log.find("skyshaft: Lab webcam");
+  ASSERT_NE(error, std::string::npos) << log;
+  EXPECT_NE(log.find("the camera is gone\n", error), std::string::npos) << log;
+  EXPECT_NE(log.find("--reconnect SECONDS", error), std::string::npos) << log;
+  EXPECT_EQ(std::count(log.begin() + static_cast<std::ptrdiff_t>(error), log.end(), '\n'), 2) << log;
+  EXPECT_GE(watch("/tmp/gone.mkv").before, 4);
 }
 
 }  // namespace
