@@ -125,8 +125,7 @@ Information intrinsics_information(const Bundle& bundle, double noise_px) {
 }
 
 cv::Mat_<double> view_information(LensChoice lens, const std::vector<double>& intrinsics,
-                                  const std::array<double, 6>& camera_from_board,
-                                  const std::vector<cv::Vec3d>& points) {
+                                  const PoseNumbers& camera_from_board, const std::vector<cv::Vec3d>& points) {
   const int count = intrinsics_count(lens);
   NormalEquations equations(count);
   std::vector<int> columns(static_cast<std::size_t>(count));

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <opencv2/core.hpp>
 #include <vector>
 
 #include "calib/bundle.h"
+#include "calib/projection.h"
 
 namespace calib {
 
@@ -19,6 +19,6 @@ Information intrinsics_information(const Bundle& bundle, double noise_px);
 // What the corners of one view say about the intrinsics, its pose left free, for noise of 1 px: intrinsics_count() rows
 // and columns, to be added up over views. Points that cannot be projected say nothing.
 cv::Mat_<double> view_information(LensChoice lens, const std::vector<double>& intrinsics,
-                                  const std::array<double, 6>& camera_from_board, const std::vector<cv::Vec3d>& points);
+                                  const PoseNumbers& camera_from_board, const std::vector<cv::Vec3d>& points);
 
 }  // namespace calib

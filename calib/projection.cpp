@@ -1,9 +1,6 @@
 #include "calib/projection.h"
 
-#include <array>
 #include <cmath>
-
-#include "ar/track/pose.h"
 
 namespace calib {
 namespace {
@@ -134,6 +131,16 @@ bool project_point(LensChoice choice, const double* v, const double* point, doub
     by_point[3 * row + 2] = -(by_x * x + by_y * y);
   }
   return true;
+}
+
+PoseNumbers numbers_of(const ar::Rigid3& pose) {
+  const cv::Vec3d turn = ar::vector_from_rotation(pose.rotation);
+  const cv::Vec3d& shift = pose.translation;
+  return {turn[0], turn[1], turn[2], shift[0], shift[1], shift[2]};
+}
+
+ar::Rigid3 pose_of(const PoseNumbers& p) {
+  return {ar::rotation_from_vector({p[0], p[1], p[2]}), {p[3], p[4], p[5]}};
 }
 
 Turn::Turn(const double* vector) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <opencv2/core.hpp>
 
+#include "ar/track/pose.h"
 #include "calib/lens_choice.h"
 
 namespace calib {
@@ -13,6 +15,11 @@ namespace calib {
 // intrinsics_count(); by_point, 2 x 3.
 bool project_point(LensChoice choice, const double* v, const double* point, double* pixel,
                    double* by_intrinsics = nullptr, double* by_point = nullptr);
+
+// A pose as solvers take it: rotation vector and translation.
+using PoseNumbers = std::array<double, 6>;
+PoseNumbers numbers_of(const ar::Rigid3& pose);
+ar::Rigid3 pose_of(const PoseNumbers& numbers);
 
 // A rotation vector's matrix, and what a change of the vector does: d(R p) = -[R p]x * left * d(vector), with the left
 // Jacobian of SO(3) (Sola, Deray and Atchuthan, "A micro Lie theory", 2018, equation 145).

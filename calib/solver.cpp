@@ -8,6 +8,7 @@
 #include "ar/track/lens.h"
 #include "calib/bundle.h"
 #include "calib/information.h"
+#include "calib/projection.h"
 #include "calib/start.h"
 #include "calib/weak_direction.h"
 
@@ -19,31 +20,8 @@ constexpr double kOutlierSigmas = 5.0;    // one honest corner in 270,000 is tha
 constexpr double kWeak = 1e-6;            // conditioning below which derivatives at the solution tell too little
 constexpr double kQuietestPx = 0.02;      // corners that agree better than that are all believed
 
-std::array<double, 6> numbers_of(const ar::Rigid3& pose) {
-  const cv::Vec3d turn = ar::vector_from_rotation(pose.rotation);
-  const cv::Vec3d& shift = pose.translation;
-  return {turn[0], turn[1], turn[2], shift[0], shift[1], shift[2]};
-}
-
-ar::Rigid3 pose_of(const std::array<double, 6>& p) {
-  return {ar::rotation_from_vector({p[0], p[1], p[2]}), {p[3], p[4], p[5]}};
-}
-
 double squared(const cv::Point2d& p) {
   return p.dot(p);
-}
-
-// The pose that explains a view best, of those that its plane allows.
-std::optional<ar::Rigid3> best_pose(const Board& board, const Sighting& view, const ar::Lens& lens) {
-  std::optional<ar::Rigid3> best;
-  double best_rms = std::numeric_limits<double>::infinity();
-  for (const ar::Rigid3& pose : poses_of(board, view, lens)) {
-    const double rms = view_rms_px(board, view, lens, pose);
-    if (rms >= best_rms) continue;
-    best = pose;
-    best_rms = rms;
-  }
-  return best;
 }
 
 Bundle make_bundle(const Board& board, const Sightings& sightings, const SolveOptions& options) {
@@ -67,7 +45,7 @@ Bundle make_bundle(const Board& board, const Sightings& sightings, const SolveOp
 void place_views(Bundle& bundle, const ar::CameraModel& camera) {
   const ar::Lens lens(camera);
   for (std::size_t v = 0; v < bundle.views.size(); ++v) {
-    const auto pose = best_pose(*bundle.board, *bundle.views[v], lens);
+    const auto pose = best_pose_of(*bundle.board, *bundle.views[v], lens);
     if (pose) bundle.poses[v] = numbers_of(*pose);
     if (!pose || !std::isfinite(view_rms_px(*bundle.board, *bundle.views[v], lens, *pose))) {
       bundle.used[v].assign(bundle.used[v].size(), false);
@@ -264,7 +242,7 @@ std::optional<Solution> solve(const Board& board, const Sightings& sightings, co
 
 std::optional<PoseFit> fit_view(const Board& board, const Sighting& view, const std::vector<bool>& used,
                                 const ar::CameraModel& camera) {
-  const auto pose = best_pose(board, view, ar::Lens(camera));
+  const auto pose = best_pose_of(board, view, ar::Lens(camera));
   if (!pose) return std::nullopt;
   Sightings one;
   one.width = camera.width;

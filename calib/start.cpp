@@ -111,6 +111,18 @@ double view_rms_px(const Board& board, const Sighting& view, const ar::Lens& len
   return std::sqrt(sum / static_cast<double>(view.points.size()));
 }
 
+std::optional<ar::Rigid3> best_pose_of(const Board& board, const Sighting& view, const ar::Lens& lens) {
+  std::optional<ar::Rigid3> best;
+  double best_rms = kUnexplained;
+  for (const ar::Rigid3& pose : poses_of(board, view, lens)) {
+    const double rms = view_rms_px(board, view, lens, pose);
+    if (rms >= best_rms) continue;
+    best = pose;
+    best_rms = rms;
+  }
+  return best;
+}
+
 std::optional<Start> find_start(const Board& board, const Sightings& sightings, LensChoice lens) {
   const std::vector<std::size_t> views = fullest_views(sightings);
   if (views.empty()) return std::nullopt;

@@ -24,6 +24,9 @@ std::vector<ar::Rigid3> poses_of(const Board& board, const Sighting& view, const
 // Root of the mean squared distance of a view's points at that pose; infinite when one cannot be projected.
 double view_rms_px(const Board& board, const Sighting& view, const ar::Lens& lens, const ar::Rigid3& camera_from_board);
 
+// The one of them that explains the view best.
+std::optional<ar::Rigid3> best_pose_of(const Board& board, const Sighting& view, const ar::Lens& lens);
+
 // Tries focal lengths from that of a fisheye to that of a telephoto and keeps the one that explains the views best.
 // nullopt when no view has 4 points that any camera explains.
 std::optional<Start> find_start(const Board& board, const Sightings& sightings, LensChoice lens);

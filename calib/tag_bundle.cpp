@@ -19,17 +19,6 @@
 namespace calib {
 namespace {
 
-using Pose = std::array<double, 6>;  // rotation vector, translation
-
-Pose numbers_of(const ar::Rigid3& pose) {
-  const cv::Vec3d turn = ar::vector_from_rotation(pose.rotation);
-  return {turn[0], turn[1], turn[2], pose.translation[0], pose.translation[1], pose.translation[2]};
-}
-
-ar::Rigid3 pose_of(const Pose& p) {
-  return {ar::rotation_from_vector({p[0], p[1], p[2]}), {p[3], p[4], p[5]}};
-}
-
 // One corner: the map's point from the tag's pose, then the camera's picture of it.
 class TagCornerCost : public ceres::SizedCostFunction<2, 6, 6> {
  public:
@@ -57,8 +46,8 @@ class TagCornerCost : public ceres::SizedCostFunction<2, 6, 6> {
 };
 
 struct Parameters {
-  std::vector<Pose> cameras;  // camera from map
-  std::vector<Pose> tags;     // map from tag
+  std::vector<PoseNumbers> cameras;  // camera from map
+  std::vector<PoseNumbers> tags;     // map from tag
 };
 
 Parameters parameters_of(const TagBundle& bundle) {
@@ -82,7 +71,7 @@ void fill(const TagBundle& bundle, double robust_scale_px, LensChoice lens, cons
   if (problem.HasParameterBlock(p.tags[0].data())) problem.SetParameterBlockConstant(p.tags[0].data());
 }
 
-bool is_finite(const Pose& pose) {
+bool is_finite(const PoseNumbers& pose) {
   for (double v : pose) {
     if (!std::isfinite(v)) return false;
   }

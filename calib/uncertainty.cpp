@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "ar/track/lens.h"
 #include "calib/projection.h"
@@ -38,16 +39,16 @@ cv::Matx23d by_rotation(const ar::Lens& lens, const cv::Point2d& ideal) {
   return by_point * ar::cross_matrix(ray) * -1.0;  // d(R ray) = w x ray = -[ray]x w
 }
 
-CellDerivatives derivatives_at(const Solution& solution, const ar::Lens& lens, const cv::Point2d& px) {
+CellDerivatives derivatives_at(const LensNumbers& numbers, const ar::Lens& lens, const cv::Point2d& px) {
   CellDerivatives out;
   const auto ideal = lens.ideal_from_pixel(px);
   if (!ideal) return out;
   out.valid = true;
   out.by_rotation = by_rotation(lens, *ideal);
-  out.by_intrinsics.create(2, static_cast<int>(solution.intrinsics.size()));
+  out.by_intrinsics.create(2, static_cast<int>(numbers.intrinsics.size()));
   const double point[3] = {ideal->x, ideal->y, 1.0};
   double pixel[2];
-  project_point(solution.lens, solution.intrinsics.data(), point, pixel, out.by_intrinsics.ptr<double>());
+  project_point(numbers.lens, numbers.intrinsics.data(), point, pixel, out.by_intrinsics.ptr<double>());
   return out;
 }
 
@@ -61,6 +62,35 @@ double largest_sigma(const cv::Matx22d& covariance) {
   const double mean = 0.5 * (covariance(0, 0) + covariance(1, 1));
   const double half = 0.5 * (covariance(0, 0) - covariance(1, 1));
   return std::sqrt(std::max(0.0, mean + std::hypot(half, covariance(0, 1))));
+}
+
+// Of each cell: how the intrinsics move what is seen there, 2 x n, each change taken with the rotation that hides it
+// best; nothing where the lens has no inverse.
+std::vector<std::optional<cv::Mat_<double>>> seen_by_intrinsics(const LensNumbers& numbers, const Grid& grid,
+                                                                const std::vector<int>& corners) {
+  const ar::Lens lens(camera_of(numbers.lens, numbers.intrinsics, grid.width, grid.height));
+  const std::vector<bool> decides = deciding_cells(corners);
+  std::vector<CellDerivatives> cells;
+  cv::Matx33d normal = cv::Matx33d::zeros();
+  cv::Mat_<double> mixed(3, static_cast<int>(numbers.intrinsics.size()), 0.0);
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    cells.push_back(derivatives_at(numbers, lens, grid.middle(i)));
+    const CellDerivatives& cell = cells.back();
+    if (!cell.valid || !decides[i]) continue;
+    normal += cell.by_rotation.t() * cell.by_rotation;
+    mixed += product(cv::Mat(cell.by_rotation), cell.by_intrinsics, cv::GEMM_1_T);
+  }
+  cv::Mat_<double> hiding;  // 3 x n: minus the rotation that hides a change of the intrinsics best
+  cv::solve(cv::Mat(normal), mixed, hiding, cv::DECOMP_SVD);
+  std::vector<std::optional<cv::Mat_<double>>> seen;
+  for (const CellDerivatives& cell : cells) {
+    seen.emplace_back();
+    if (!cell.valid) continue;
+    cv::Mat_<double> rest;
+    cv::subtract(cell.by_intrinsics, product(cv::Mat(cell.by_rotation), hiding), rest);
+    seen.back() = rest;
+  }
+  return seen;
 }
 
 }  // namespace
@@ -96,34 +126,26 @@ std::vector<int> corners_in_cells(const Sightings& sightings, const Solution& so
 }
 
 std::vector<double> projected_sigma_px(const Solution& solution, const Grid& grid, const std::vector<int>& corners) {
-  const ar::Lens lens(solution.camera);
-  const std::vector<bool> decides = deciding_cells(corners);
-  const int n = static_cast<int>(solution.intrinsics.size());
-  std::vector<CellDerivatives> cells;
-  cv::Matx33d normal = cv::Matx33d::zeros();
-  cv::Mat_<double> mixed(3, n, 0.0);
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    cells.push_back(derivatives_at(solution, lens, grid.middle(i)));
-    const CellDerivatives& cell = cells.back();
-    if (!cell.valid || !decides[i]) continue;
-    normal += cell.by_rotation.t() * cell.by_rotation;
-    mixed += product(cv::Mat(cell.by_rotation), cell.by_intrinsics, cv::GEMM_1_T);
-  }
-  cv::Mat_<double> hiding;  // 3 x n: minus the rotation that hides a change of the intrinsics best
-  cv::solve(cv::Mat(normal), mixed, hiding, cv::DECOMP_SVD);
   std::vector<double> sigma;
-  for (const CellDerivatives& cell : cells) {
-    if (!cell.valid) {
+  for (const auto& seen : seen_by_intrinsics({solution.lens, solution.intrinsics}, grid, corners)) {
+    if (!seen) {
       sigma.push_back(std::numeric_limits<double>::quiet_NaN());
       continue;
     }
-    cv::Mat_<double> seen;
-    cv::subtract(cell.by_intrinsics, product(cv::Mat(cell.by_rotation), hiding), seen);
-    const cv::Mat_<double> covariance = product(product(seen, solution.local_covariance), seen, cv::GEMM_2_T);
+    const cv::Mat_<double> covariance = product(product(*seen, solution.local_covariance), *seen, cv::GEMM_2_T);
     const double value = largest_sigma(cv::Matx22d(covariance));
     sigma.push_back(std::isfinite(value) ? value : std::numeric_limits<double>::infinity());
   }
   return sigma;
+}
+
+cv::Mat_<double> direction_moments(const LensNumbers& numbers, const Grid& grid) {
+  const int n = static_cast<int>(numbers.intrinsics.size());
+  cv::Mat_<double> moments(n, n, 0.0);
+  for (const auto& seen : seen_by_intrinsics(numbers, grid, std::vector<int>(grid.size(), 1))) {
+    if (seen) moments += product(*seen, *seen, cv::GEMM_1_T) / static_cast<double>(grid.size());
+  }
+  return moments;
 }
 
 std::vector<cv::Point2d> difference_px(const ar::CameraModel& one, const ar::CameraModel& other, const Grid& grid,

@@ -34,6 +34,16 @@ std::vector<int> corners_in_cells(const Sightings& sightings, const Solution& so
 // calibration toolkit", section on differences). Linear in the errors.
 std::vector<double> projected_sigma_px(const Solution& solution, const Grid& grid, const std::vector<int>& corners);
 
+// A lens by its numbers.
+struct LensNumbers {
+  LensChoice lens = LensChoice::Pinhole;
+  std::vector<double> intrinsics;
+};
+
+// The same for a covariance that is yet to come, over the whole picture: n x n, the trace of whose product with a
+// covariance of the intrinsics is the mean over the cells of the variance of where a direction is seen, px2.
+cv::Mat_<double> direction_moments(const LensNumbers& numbers, const Grid& grid);
+
 // How far apart two cameras see the same far-off directions, px, at the middle of each cell of the first one's
 // picture, after the rotation of the second that brings them closest over the cells with corners.
 std::vector<cv::Point2d> difference_px(const ar::CameraModel& one, const ar::CameraModel& other, const Grid& grid,

@@ -1,10 +1,10 @@
 #include "calib/view_choice.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <opencv2/calib3d.hpp>
+
+#include "calib/looks.h"
 
 namespace calib {
 namespace {
@@ -12,57 +12,9 @@ namespace {
 constexpr double kAlike = 0.04;          // views nearer than that to a chosen one tell nothing new
 constexpr double kSlowestCommon = 0.25;  // share of the frames that are still enough at least
 
-// What a view looks like: place, size and tilt, so scaled that 1 is about as different as views get.
-using Looks = std::array<double, 5>;
-
-double distance(const Looks& a, const Looks& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum);
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::infinity();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-double median_shift(const Sighting& a, const Sighting& b) {
-  std::vector<double> shifts;
-  for (std::size_t i = 0, k = 0; i < a.points.size() && k < b.points.size();) {
-    if (a.points[i] == b.points[k]) {
-      shifts.push_back(cv::norm(a.px[i++] - b.px[k++]));
-    } else {
-      (a.points[i] < b.points[k] ? i : k) += 1;
-    }
-  }
-  return median(shifts);
-}
-
 double speed_between(const Sighting& a, const Sighting& b) {
   const double time = std::abs(b.time_s - a.time_s);
-  return time > 0.0 ? median_shift(a, b) / time : std::numeric_limits<double>::infinity();
-}
-
-Looks looks_of(const Board& board, const Sighting& view, double picture_px) {
-  cv::Point2d mean;
-  for (const cv::Point2d& p : view.px) mean += p / static_cast<double>(view.px.size());
-  Looks looks{mean.x / picture_px, mean.y / picture_px, 0.0, 0.0, 0.0};
-  std::vector<cv::Point2d> on_board;
-  for (int p : view.points) {
-    const cv::Vec3d& at = board.points[static_cast<std::size_t>(p)];
-    on_board.emplace_back(at[0] / board.diagonal_m(), at[1] / board.diagonal_m());
-  }
-  const cv::Mat homography = cv::findHomography(on_board, view.px);
-  if (homography.empty()) return looks;
-  const cv::Matx33d h(homography);
-  // The perspective terms say how the board leans; its size is how far away it is.
-  const double size = std::sqrt(std::abs(cv::determinant(h.get_minor<2, 2>(0, 0)))) / picture_px;
-  looks[2] = 0.5 * std::log2(std::max(1e-3, size));
-  looks[3] = 2.0 * h(2, 0);
-  looks[4] = 2.0 * h(2, 1);
-  return looks;
+  return time > 0.0 ? median_shift_px(a, b) / time : std::numeric_limits<double>::infinity();
 }
 
 // A blurred or moving view must differ by more to be chosen.
