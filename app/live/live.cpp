@@ -11,7 +11,7 @@
 #include "app/live/live_report.h"
 #include "app/live/recorder.h"
 #include "app/live/still_writer.h"
-#include "app/live/tag_errors.h"
+#include "app/live/tag_states.h"
 #include "app/live/track_stage.h"
 #include "app/live/window.h"
 #include "app/output_files.h"
@@ -25,7 +25,8 @@
 namespace app {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience{20};
+// For a frame, before the window is drawn again without one: a frame that comes meanwhile has to wait for that.
+constexpr std::chrono::milliseconds kPatience{50};
 // Part of the time between two frames that drawing may take: tracking and showing need some of it too.
 constexpr double kPartForDrawing = 0.75;
 constexpr std::chrono::seconds kPatienceWithGps{20};
@@ -171,7 +172,7 @@ void Session::show(TrackedLiveFrame frame) {
   if (window_) {
     told_.state = ar::to_string(frame.tracked.track.state);
     told_.track_ms = frame.track_ms;
-    told_.tags = tag_errors(camera_, *scene_.tags, frame.tracked.track, frame.detections);
+    told_.tags = tag_states(camera_, *scene_.tags, frame.tracked.track, frame.detections);
   }
   const LiveClock::time_point arrived = frame.arrived;
   const LiveClock::time_point start = LiveClock::now();
@@ -202,7 +203,7 @@ void Session::show_in_window(const ShownPicture& shown) {
   told_.lost = feed_.lost();
   told_.per_second = facts_.times.interval.count() > 0 ? 1e3 / facts_.times.interval.mean_ms() : 0.0;
   told_.dropped = feed.stale + feed.missed + feed.damaged + tracking_.stale();
-  told_.quality = fmt::format("drawn at {:.2f} of full size{}, {:.0f} ms behind", quality.render_scale,
+  told_.quality = fmt::format("drawn at {:.2f}{}, {:.0f} ms behind", quality.render_scale,
                               quality.anti_alias ? ", smooth edges" : "", told_.latency_ms);
   told_.exposure = drawing_.exposure().exposure;
   told_.elapsed_s = drawing_.elapsed_s();

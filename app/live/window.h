@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,10 +11,12 @@
 
 namespace app {
 
-// How well a tag that was seen fits the pose and the map.
-struct SeenTagError {
+// A tag of the map, or one that was seen without being in it.
+struct TagState {
   int id = 0;
-  std::optional<double> rms_px;  // nothing: the map does not place it, or there is no pose
+  std::optional<std::array<double, 3>> position_m;  // in world, by the map
+  bool seen = false;
+  std::optional<double> rms_px;  // how far its corners lie from where pose and map put them; where both are known
 };
 
 // What the window tells of the frame that it shows.
@@ -28,7 +31,7 @@ struct WindowFacts {
   std::string quality;
   double exposure = 0.0;  // display-linear per cd/m2
   double elapsed_s = 0.0;
-  std::vector<SeenTagError> tags;
+  std::vector<TagState> tags;  // by id
 };
 
 // What the user did in it.

@@ -120,15 +120,25 @@ bool draw_exposure(LiveSettings& settings, double exposure) {
   return changed;
 }
 
-void draw_tags(const std::vector<SeenTagError>& tags) {
+std::string how_it_fits(const TagState& tag) {
+  if (!tag.position_m) return "not in the map";
+  if (!tag.seen) return "not in view";
+  return tag.rms_px ? fmt::format("off by {:.2f} px", *tag.rms_px) : "no pose";
+}
+
+// The map, each tag with its place in metres east, north and up, and how well it fits what was just seen.
+void draw_tags(const std::vector<TagState>& tags) {
+  constexpr std::size_t kRowsAtOnce = 6;
+  const float row = ImGui::GetTextLineHeightWithSpacing();
+  const auto rows = static_cast<float>(std::clamp<std::size_t>(tags.size(), 1, kRowsAtOnce));
+  ImGui::BeginChild("tags", {0.0F, rows * row});
   if (tags.empty()) ImGui::TextUnformatted("no tag in view");
-  for (const SeenTagError& tag : tags) {
-    if (tag.rms_px) {
-      ImGui::Text("tag %d: off by %.2f px", tag.id, *tag.rms_px);
-    } else {
-      ImGui::Text("tag %d: not in the map", tag.id);
-    }
+  for (const TagState& tag : tags) {
+    const auto at = tag.position_m.value_or(std::array<double, 3>{});
+    const std::string place = fmt::format("{:6.2f} {:6.2f} {:5.2f}", at[0], at[1], at[2]);
+    ImGui::Text("tag %-3d %20s  %s", tag.id, tag.position_m ? place.c_str() : "", how_it_fits(tag).c_str());
   }
+  ImGui::EndChild();
 }
 
 }  // namespace

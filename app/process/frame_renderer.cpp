@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "app/bridge.h"
-#include "app/median.h"
 
 namespace app {
 namespace {
@@ -48,19 +47,19 @@ FinishedFrame FrameRenderer::render(TrackedFrame tracked, double start_s,
 void FrameRenderer::note_pass(const render::PassTime& pass) {
   auto found = std::ranges::find(pass_times_, pass.name, &PassTimes::name);
   if (found == pass_times_.end()) found = pass_times_.insert(pass_times_.end(), {pass.name, {}, {}});
-  found->wall_ms.push_back(pass.wall_ms);
-  found->cpu_ms.push_back(pass.cpu_ms);
+  found->wall_ms.add(pass.wall_ms);
+  found->cpu_ms.add(pass.cpu_ms);
 }
 
 std::vector<std::pair<std::string, double>> FrameRenderer::median_pass_ms() const {
   std::vector<std::pair<std::string, double>> medians;
-  for (const PassTimes& pass : pass_times_) medians.emplace_back(pass.name, median(pass.wall_ms));
+  for (const PassTimes& pass : pass_times_) medians.emplace_back(pass.name, pass.wall_ms.median());
   return medians;
 }
 
 std::vector<std::pair<std::string, double>> FrameRenderer::median_pass_cpu_ms() const {
   std::vector<std::pair<std::string, double>> medians;
-  for (const PassTimes& pass : pass_times_) medians.emplace_back(pass.name, median(pass.cpu_ms));
+  for (const PassTimes& pass : pass_times_) medians.emplace_back(pass.name, pass.cpu_ms.median());
   return medians;
 }
 

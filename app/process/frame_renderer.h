@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/pipeline/pipeline.h"
+#include "app/reservoir.h"
 #include "app/scene_state_builder.h"
 #include "ar/output/sink.h"
 #include "ar/track/camera.h"
@@ -48,8 +49,8 @@ class FrameRenderer {
  private:
   struct PassTimes {
     std::string name;
-    std::vector<double> wall_ms;
-    std::vector<double> cpu_ms;
+    Reservoir wall_ms;
+    Reservoir cpu_ms;
   };
 
   void note_pass(const render::PassTime& pass);

@@ -8,6 +8,8 @@
 #include "app/live/governor.h"
 #include "app/live/held_mark.h"
 #include "app/live/latest.h"
+#include "app/live/tag_states.h"
+#include "app/reservoir.h"
 #include "ar/error.h"
 
 namespace {
@@ -17,6 +19,7 @@ using app::FeedOptions;
 using app::Governor;
 using app::Latest;
 using app::LiveFeed;
+using app::Reservoir;
 using namespace std::chrono_literals;
 
 TEST(Latest, HandsOutTheNewestAndTellsOfTheStale) {
@@ -50,6 +53,45 @@ TEST(Distribution, HoldsWhatLiesOutsideItsBins) {
   times.add(1e6);
   EXPECT_LE(times.percentile_ms(0.5), 0.1);
   EXPECT_DOUBLE_EQ(times.largest_ms(), 1e6);
+}
+
+TEST(Reservoir, IsExactOfFewValuesAndFairOfMany) {
+  Reservoir values;
+  EXPECT_DOUBLE_EQ(values.median(), 0.0);
+  for (const double value : {5.0, 1.0, 3.0}) values.add(value);
+  EXPECT_DOUBLE_EQ(values.median(), 3.0);
+  for (int i = 0; i < 1'000'000; ++i) values.add(i);
+  // Ranks of the median of a sample of 1024 spread by 1.6 %: four times that. The first 1024 alone would give 511.
+  EXPECT_NEAR(values.median(), 500'000.0, 63'000.0);
+}
+
+TEST(TagStates, AreTheWholeMapAndWhatElseWasSeen) {
+  ar::CameraModel camera;
+  camera.intrinsics = {500.0, 0.0, 319.5, 0.0, 500.0, 239.5, 0.0, 0.0, 1.0};
+  ar::Track track;
+  track.state = ar::TrackState::Tracking;
+  track.world_from_camera = {cv::Matx33d(1, 0, 0, 0, -1, 0, 0, 0, -1), {0.0, 0.0, 2.0}};  // from above
+  ar::TagMap map;
+  map.tags[4] = {ar::flat_tag({0.0, 0.0, 0.0}, 0.0), 0.2};
+  map.tags[9] = {ar::flat_tag({1.0, 2.0, 0.5}, 0.0), 0.2};
+  ar::Detection seen;
+  seen.id = 4;
+  // 0.1 m at 2 m are 25 px; the corners are all off by one pixel to the right.
+  seen.corners_px = {cv::Point2d(295.5, 264.5), {345.5, 264.5}, {345.5, 214.5}, {295.5, 214.5}};
+  ar::Detection stranger;
+  stranger.id = 7;
+  const auto states = app::tag_states(camera, map, track, {stranger, seen});
+  ASSERT_EQ(states.size(), 3U);
+  EXPECT_EQ(states[0].id, 4);
+  EXPECT_TRUE(states[0].seen);
+  EXPECT_NEAR(states[0].rms_px.value(), 1.0, 1e-9);
+  EXPECT_EQ(states[1].id, 7);
+  EXPECT_TRUE(states[1].seen);
+  EXPECT_FALSE(states[1].position_m || states[1].rms_px);
+  EXPECT_EQ(states[2].position_m, (std::array<double, 3>{1.0, 2.0, 0.5}));
+  EXPECT_FALSE(states[2].seen || states[2].rms_px);
+  track.state = ar::TrackState::Lost;
+  EXPECT_FALSE(app::tag_states(camera, map, track, {seen})[0].rms_px);
 }
 
 // Milliseconds of a frame at each level.

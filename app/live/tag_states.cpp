@@ -1,6 +1,7 @@
-#include "app/live/tag_errors.h"
+#include "app/live/tag_states.h"
 
 #include <cmath>
+#include <map>
 
 namespace app {
 namespace {
@@ -25,16 +26,24 @@ double rms_px(const ar::CameraModel& camera, const ar::MappedTag& tag, const ar:
 
 }  // namespace
 
-std::vector<SeenTagError> tag_errors(const ar::CameraModel& camera, const ar::TagMap& map, const ar::Track& track,
-                                     const std::vector<ar::Detection>& detections) {
-  std::vector<SeenTagError> errors;
-  for (const ar::Detection& detection : detections) {
-    const auto mapped = map.tags.find(detection.id);
-    const bool known = mapped != map.tags.end() && track.state != ar::TrackState::Lost;
-    errors.push_back(
-        {detection.id, known ? std::optional(rms_px(camera, mapped->second, track, detection)) : std::nullopt});
+std::vector<TagState> tag_states(const ar::CameraModel& camera, const ar::TagMap& map, const ar::Track& track,
+                                 const std::vector<ar::Detection>& detections) {
+  std::map<int, TagState> states;
+  for (const auto& [id, tag] : map.tags) {
+    const cv::Vec3d& at = tag.world_from_tag.translation;
+    states[id] = {.id = id, .position_m = {{at[0], at[1], at[2]}}, .seen = false, .rms_px = std::nullopt};
   }
-  return errors;
+  for (const ar::Detection& detection : detections) {
+    TagState& state = states[detection.id];
+    state.id = detection.id;
+    state.seen = true;
+    const auto mapped = map.tags.find(detection.id);
+    if (mapped == map.tags.end() || track.state == ar::TrackState::Lost) continue;
+    state.rms_px = rms_px(camera, mapped->second, track, detection);
+  }
+  std::vector<TagState> list;
+  for (const auto& [id, state] : states) list.push_back(state);
+  return list;
 }
 
 }  // namespace app
