@@ -14,10 +14,12 @@
 
 #include "app/calibration/board_file.h"
 #include "app/calibration/gather.h"
+#include "app/calibration/gather_live.h"
 #include "app/calibration/summary.h"
 #include "app/commands.h"
 #include "app/error.h"
 #include "app/exit_status.h"
+#include "app/options/picture_size.h"
 #include "app/output_files.h"
 #include "ar/error.h"
 #include "calib/board_check.h"
@@ -27,6 +29,8 @@ namespace {
 
 struct CalibrateArguments {
   GatherOptions gather;
+  LiveGatherOptions live;
+  std::string live_size;  // WIDTHxHEIGHT
   std::string board;
   std::string output;
   std::string format = "opencv";
@@ -87,7 +91,7 @@ std::optional<Calibration> calibrate(const CalibrateArguments& arguments) {
   Calibration c;
   c.board = read_board(arguments.board);
   c.date = today();
-  c.gathered = gather(c.board, arguments.gather);
+  c.gathered = arguments.live.source.empty() ? gather(c.board, arguments.gather) : gather_live(c.board, arguments.live);
   if (c.gathered.interrupted) return std::nullopt;
   spdlog::debug("{} views of the board", c.gathered.sightings.views.size());
   c.options = solve_options(arguments);
@@ -111,7 +115,32 @@ void check_outputs(const CalibrateArguments& arguments) {
   if (!arguments.report.empty()) check_may_write(arguments.report, arguments.overwrite);
 }
 
-int run(const CalibrateArguments& arguments) {
+// What failed, what to do, and whether there is a file now: status 4 says the first either way.
+void tell_rejected(const CalibrateArguments& arguments, const calib::Finding& why) {
+  std::cerr << "skyshaft: calibration rejected: " << why.what << '\n' << why.to_do;
+  if (arguments.accept && !arguments.output.empty()) {
+    std::cerr << "\n" << arguments.output << " was written all the same, because of --accept; the status stays 4";
+  } else if (!arguments.output.empty()) {
+    std::cerr << "; " << arguments.output << " was not written: --accept writes it all the same (the status stays 4)";
+  }
+  std::cerr << '\n';
+}
+
+// The options of --live, made whole. Throws UsageError.
+void complete_live_options(CalibrateArguments& arguments) {
+  LiveGatherOptions& live = arguments.live;
+  if (live.source.empty() && arguments.gather.inputs.empty()) {
+    throw UsageError("give pictures, recordings, or --live SOURCE\nsee: skyshaft calibrate --help");
+  }
+  live.most_views = arguments.gather.most_views;
+  if (arguments.live_size.empty()) return;
+  const PictureSize size = parse_picture_size("--size", arguments.live_size);
+  live.request.width = size.width;
+  live.request.height = size.height;
+}
+
+int run(CalibrateArguments arguments) {
+  complete_live_options(arguments);
   check_outputs(arguments);
   const std::optional<Calibration> done = calibrate(arguments);
   if (!done) return kInterrupted;
@@ -123,17 +152,32 @@ int run(const CalibrateArguments& arguments) {
                 arguments.overwrite);
   }
   std::cout << summary_text(c) << std::flush;
-  if (rejected && !arguments.accept) {
-    std::cerr << "skyshaft: calibration rejected: " << c.judgement.findings.front().what << '\n'
-              << c.judgement.findings.front().to_do
-              << (arguments.output.empty() ? "" : "; --accept writes the file all the same") << '\n';
-  }
+  if (rejected) tell_rejected(arguments, c.judgement.findings.front());
   return rejected ? kCalibrationRejected : kDone;
 }
 
+void add_live_options(CLI::App& command, CalibrateArguments& arguments, CLI::Option& input) {
+  LiveGatherOptions& options = arguments.live;
+  CLI::Option* live =
+      command
+          .add_option("--live", options.source,
+                      "Instead of pictures: v4l2:/dev/video0, v4l2: (the first camera), libcamera:ID, libcamera: or "
+                      "file:CLIP, played once at its own rate; views are taken as the board is held still")
+          ->excludes(&input);
+  command.add_flag("--headless", options.headless, "Of --live: no window; says on standard error what to hold next")
+      ->needs(live);
+  command.add_option("--rate", options.request.rate, "Of --live: frames a second asked of the camera")
+      ->needs(live)
+      ->check(CLI::Range(0.1, 1000.0));
+  command
+      .add_option("--size", arguments.live_size, "Of --live: WIDTHxHEIGHT asked of the camera; default: near 1280x720")
+      ->needs(live);
+}
+
 void add_options(CLI::App& command, CalibrateArguments& arguments) {
-  command.add_option("input", arguments.gather.inputs, "Pictures, folders or patterns of pictures, recordings")
-      ->required();
+  CLI::Option* input =
+      command.add_option("input", arguments.gather.inputs, "Pictures, folders or patterns of pictures, recordings");
+  add_live_options(command, arguments, *input);
   command.add_option("--board", arguments.board, "Board file, tag map, Kalibr target or short form; see below")
       ->required();
   command.add_option("-o,--output", arguments.output, "Camera file to write");
@@ -153,12 +197,15 @@ void add_options(CLI::App& command, CalibrateArguments& arguments) {
       .add_option("--board-sigma", arguments.board_sigma_mm,
                   "Expected size of those errors, mm; default: 1 % of a square or tag")
       ->check(CLI::PositiveNumber);
-  command.add_option("--views", arguments.gather.most_views, "Most views to choose from a recording")
+  command
+      .add_option("--views", arguments.gather.most_views,
+                  "Most views to choose from a recording, or to take with --live")
       ->check(CLI::Range(3, 1000))
       ->capture_default_str();
   command.add_option("--corners-cache", arguments.gather.corners_cache,
                      "File that keeps the corners found, so that solving again takes seconds");
-  command.add_flag("--accept", arguments.accept, "Write the camera file even if the calibration is rejected");
+  command.add_flag("--accept", arguments.accept,
+                   "Write the camera file even if the calibration is rejected; the status is 4 all the same");
   command.add_flag("--overwrite", arguments.overwrite, "Replace files that exist");
 }
 
@@ -172,8 +219,9 @@ void add_calibrate_command(CLI::App& app, Program& program) {
   command->footer(
       std::string(kBoardHelp) +
       "\n\nStatus 4: the calibration fails its own gates; docs/calibration.md lists them. The camera file is then\n"
-      "written only with --accept.\n\n"
-      "Example:\n  skyshaft calibrate left*.jpg --board chessboard:9x6:25mm -o camera.yaml --report report.html");
+      "written only with --accept, and the status is 4 all the same.\n\n"
+      "Examples:\n  skyshaft calibrate left*.jpg --board chessboard:9x6:25mm -o camera.yaml --report report.html\n"
+      "  skyshaft calibrate --live v4l2: --board charuco.yaml -o camera.yaml");
   command->callback([arguments, &program] {
     program.action = [arguments, &program] {
       arguments->gather.quiet = program.quiet;

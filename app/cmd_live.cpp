@@ -1,13 +1,13 @@
 // skyshaft live: what a camera sees, with a sunlit scene over it, as it happens.
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 #include <stdexcept>
 
 #include "app/commands.h"
 #include "app/error.h"
 #include "app/live/live.h"
+#include "app/options/picture_size.h"
 #include "app/options/shafts.h"
 
 namespace app {
@@ -110,18 +110,6 @@ ar::VideoCodec codec_of(const std::string& name) {
   return name == "ffv1" ? ar::VideoCodec::Ffv1 : ar::VideoCodec::H264;
 }
 
-// WIDTHxHEIGHT.
-void read_size(const std::string& text, ar::LiveRequest& request) {
-  int width = 0;
-  int height = 0;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 || height < 1) {
-    throw UsageError("--size: found '" + text + "'; accepted: WIDTHxHEIGHT, pixels, as 1280x720");
-  }
-  request.width = width;
-  request.height = height;
-}
-
 ar::ControlSetting read_control(const std::string& text) {
   try {
     return ar::parse_control_setting(text);
@@ -137,7 +125,11 @@ int run(LiveArguments arguments, bool quiet) {
     throw UsageError("--source is required\nskyshaft live --list-cameras names what is there");
   if (options.scene.empty()) throw UsageError("--scene is required\nsee: skyshaft live --help");
   if (arguments.gpsd_option->count() > 0) options.gpsd = arguments.gpsd;
-  if (!arguments.size.empty()) read_size(arguments.size, options.request);
+  if (!arguments.size.empty()) {
+    const PictureSize size = parse_picture_size("--size", arguments.size);
+    options.request.width = size.width;
+    options.request.height = size.height;
+  }
   for (const std::string& control : arguments.controls) options.request.controls.push_back(read_control(control));
   if (!arguments.shafts.empty()) options.shafts = parse_shafts("--shafts", arguments.shafts);
   options.sink.codec = codec_of(arguments.codec);

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kCellsAcross = 16;          // as the judge counts
 constexpr std::size_t kFewestPoints = 8;  // of a view that is worth taking
-constexpr double kStillShare = 0.002;     // of the longer side, that a board held still may move meanwhile:
-constexpr double kStillS = 0.3;           // 8 px/s at 1280, a quarter of a pixel's blur in 1/30 s
+constexpr double kStillShare = 0.004;     // of the longer side, that a board held still may move meanwhile:
+constexpr double kStillS = 0.3;           // 17 px/s at 1280, half a pixel of blur in 1/30 s
 constexpr int kStillFrames = 3;
 constexpr double kNew = 0.08;     // of Looks: a twelfth of the picture, or 5 degrees
 constexpr double kSharpPx = 3.0;  // edges narrower than that are sharp anyway
@@ -23,7 +23,7 @@ constexpr std::size_t kViewsForCamera = 4;  // that tell about a camera at all
 constexpr double kExpectedNoisePx = 0.2;
 
 double still_px(double picture_px) {
-  return std::max(1.0, kStillShare * picture_px);
+  return std::max(1.5, kStillShare * picture_px);
 }
 
 // A solution that the views do not determine is worse than a usual camera.
