@@ -179,6 +179,7 @@ Model load_gltf(const std::filesystem::path& path) {
     Flattener(document, model).run();
     if (model.triangle_count() == 0) throw std::runtime_error("its scene has no triangles");
     update_bounds(model);
+    model.convex_pieces = find_convex_pieces(model);
     return model;
   } catch (const std::exception& error) {
     throw std::runtime_error("cannot load model '" + path.string() + "': " + error.what());

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "render/scene/convex_piece.h"
+
 namespace render {
 
 // A decoded texture, 8 bits a channel, row 0 at the top (glTF's v = 0).
@@ -67,6 +69,7 @@ struct Model {
   std::vector<Image> images;
   glm::vec3 bounds_min{0.0F};
   glm::vec3 bounds_max{0.0F};
+  std::vector<ConvexPiece> convex_pieces;  // find_convex_pieces()
 
   std::size_t triangle_count() const;
 };

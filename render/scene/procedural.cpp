@@ -33,6 +33,7 @@ Model one_mesh_model(const char* name, Mesh mesh) {
   model.materials.push_back(material);
   model.meshes.push_back(std::move(mesh));
   update_bounds(model);
+  model.convex_pieces = find_convex_pieces(model);
   return model;
 }
 

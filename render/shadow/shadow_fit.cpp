@@ -41,14 +41,21 @@ Bounds box_in_light(const Instance& instance, const glm::dmat3& light_from_world
   return bounds;
 }
 
-// Tighter than the box where that matters: what the vertices themselves span.
-Bounds vertices_in_light(const Instance& instance, const glm::dmat3& light_from_world, FitTo to) {
+// Tighter than the box where that matters: what the vertices themselves span, but for those of pieces left out.
+Bounds vertices_in_light(const Instance& instance, const glm::dmat3& light_from_world, FitTo to,
+                         const std::vector<const ConvexPiece*>& left_out) {
   const glm::dmat4 light_from_model = glm::dmat4(light_from_world) * instance.world_from_model;
   Bounds bounds;
-  for (const Mesh& mesh : instance.model->meshes) {
+  for (std::size_t i = 0; i < instance.model->meshes.size(); ++i) {
+    const Mesh& mesh = instance.model->meshes[i];
     if (to == FitTo::Glass && !is_glass(*instance.model, mesh)) continue;
-    for (const Vertex& vertex : mesh.vertices) {
-      bounds.add(glm::dvec3(light_from_model * glm::dvec4(vertex.position, 1.0)));
+    std::vector<char> out(mesh.vertices.size(), 0);
+    for (const ConvexPiece* piece : left_out) {
+      if (piece->mesh != i) continue;
+      for (const std::uint32_t vertex : piece->vertices) out[vertex] = 1;
+    }
+    for (std::size_t k = 0; k < mesh.vertices.size(); ++k) {
+      if (out[k] == 0) bounds.add(glm::dvec3(light_from_model * glm::dvec4(mesh.vertices[k].position, 1.0)));
     }
   }
   return bounds;
@@ -152,7 +159,10 @@ glm::dmat3 world_from_light(const glm::dvec3& sun_direction_in_world) {
   const glm::dvec3 level = glm::cross(glm::dvec3(0.0, 0.0, 1.0), travel);
   const double length = glm::length(level);
   const glm::dvec3 across = length > 1e-9 ? level / length : glm::dvec3(1.0, 0.0, 0.0);
-  return {across, glm::cross(travel, across), travel};
+  const glm::dvec3 up = glm::cross(travel, across);
+  constexpr double kCosine = 0.85065080835203993;  // of the angle with the tangent 0.618..., the golden section
+  constexpr double kSine = 0.52573111211913361;
+  return {kCosine * across + kSine * up, kCosine * up - kSine * across, travel};
 }
 
 bool can_shade(const Instance& caster, const Box& box, const Sun& sun) {
@@ -180,23 +190,46 @@ bool can_shade(const Instance& caster, const Box& box, const Sun& sun) {
   return enter_m <= leave_m;
 }
 
+std::vector<CasterPiece> pieces_before_their_shade(const std::vector<const Instance*>& casters,
+                                                   const glm::dvec3& sun_direction_in_world,
+                                                   const glm::dvec3& eye_in_world) {
+  std::vector<CasterPiece> out;
+  for (std::size_t i = 0; i < casters.size(); ++i) {
+    const std::vector<ConvexPiece>& pieces = casters[i]->model->convex_pieces;
+    if (pieces.empty()) continue;
+    const glm::dmat4 model_from_world = glm::inverse(casters[i]->world_from_model);
+    const glm::dvec3 eye(model_from_world * glm::dvec4(eye_in_world, 1.0));
+    const glm::dvec3 travel(model_from_world * glm::dvec4(-sun_direction_in_world, 0.0));
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      if (meets(pieces[k], eye, travel)) out.push_back({i, k});
+    }
+  }
+  return out;
+}
+
 ShadowFit fit_shadow(const SceneState& scene, const View& view, const std::vector<const Instance*>& casters,
-                     int size_px, FitTo to) {
+                     int size_px, FitTo to, const std::vector<CasterPiece>& left_out) {
   ShadowFit fit;
   if (casters.empty()) return fit;
   const glm::dmat3 light_from_world = glm::transpose(world_from_light(scene.sun.direction_in_world));
   const Bounds region = region_of_interest(scene, view, light_from_world);
   Bounds all;
-  for (const Instance* caster : casters) {
+  for (std::size_t i = 0; i < casters.size(); ++i) {
+    const Instance& caster = *casters[i];
+    std::vector<const ConvexPiece*> without;
+    for (const CasterPiece& out : left_out) {
+      if (out.caster == i) without.push_back(&caster.model->convex_pieces[out.piece]);
+    }
+    const bool by_vertices = to == FitTo::Glass || !without.empty();
     Bounds bounds =
-        to == FitTo::Glass ? vertices_in_light(*caster, light_from_world, to) : box_in_light(*caster, light_from_world);
+        by_vertices ? vertices_in_light(caster, light_from_world, to, without) : box_in_light(caster, light_from_world);
+    if (bounds.empty()) continue;
     if (large(bounds)) {
       cut_to(bounds, region);
       fit.cut = true;
-    } else if (to == FitTo::Casters) {
-      bounds = vertices_in_light(*caster, light_from_world, to);
+    } else if (!by_vertices) {
+      bounds = vertices_in_light(caster, light_from_world, to, without);
     }
-    if (bounds.empty()) continue;
     all.add(bounds.low);
     all.add(bounds.high);
   }

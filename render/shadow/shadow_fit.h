@@ -27,7 +27,10 @@ std::vector<const Instance*> casters(const SceneState& scene, Casters kind);
 // may be wrong, no never is.
 bool can_shade(const Instance& caster, const Box& box, const Sun& sun);
 
-// Axes of light space as columns, in the world: two across the light, the third along its travel. The first is level.
+// Axes of light space as columns, in the world: two across the light, the third along its travel. The first is turned
+// from the level by the angle whose tangent is the golden section: texels in line with a wall's or a mast's edges would
+// put all of an edge to the same wrong side; along a turned edge, and most evenly along one turned by that, their
+// errors cancel.
 glm::dmat3 world_from_light(const glm::dvec3& sun_direction_in_world);
 
 // Whether a mesh is of blended material, which tints light where other casters hold it up.
@@ -38,10 +41,22 @@ std::vector<const Instance*> glass_casters(const SceneState& scene);
 // What a map is fitted to: casters as wholes, or their glass alone.
 enum class FitTo { Casters, Glass };
 
+// The convex pieces of those casters of whose shade the eye sees nothing, such as the ground it stands on. What such a
+// piece shades is the convex hull of the piece and of the point at infinity that the light travels to. Where the eye's
+// ray to that point meets the piece, the hull's outline, as the eye sees it, is the piece's own: all of it lies behind.
+struct CasterPiece {
+  std::size_t caster = 0;  // index into the casters
+  std::size_t piece = 0;   // and into its model's convex pieces
+  bool operator==(const CasterPiece&) const = default;
+};
+std::vector<CasterPiece> pieces_before_their_shade(const std::vector<const Instance*>& casters,
+                                                   const glm::dvec3& sun_direction_in_world,
+                                                   const glm::dvec3& eye_in_world);
+
 // The map of `size_px` squared texels around those casters, a little larger than they are and snapped to its own
 // texels, counted from a place that moves with the scene. Casters above `kWholeM` metres across are cut to what the
-// view and the other things can make use of.
+// view and the other things can make use of. `left_out` pieces may lie beside the map.
 ShadowFit fit_shadow(const SceneState& scene, const View& view, const std::vector<const Instance*>& casters,
-                     int size_px, FitTo to = FitTo::Casters);
+                     int size_px, FitTo to = FitTo::Casters, const std::vector<CasterPiece>& left_out = {});
 
 }  // namespace render

@@ -55,6 +55,7 @@ struct SunShadow::Impl {
     DepthBounds bounds;
     ShadowMap map;
     std::vector<CasterKey> keys;
+    std::vector<CasterPiece> left_out;  // of the fit
     glm::dvec3 sun_direction{0.0};
     double disc_slope = 0.0;
     bool rendered = false;
@@ -90,8 +91,11 @@ struct SunShadow::Impl {
     const bool same = slot.rendered && keys == slot.keys && slot.map.size_px == size &&
                       (casters.empty() || (sun_stands(slot.map, slot.sun_direction, scene.sun.direction_in_world) &&
                                            std::abs(slot.disc_slope - disc_slope) <= 1e-6 * disc_slope));
-    if (same && !slot.map.fit.cut) return false;
-    const ShadowFit fit = fit_shadow(scene, view, casters, size);
+    const std::vector<CasterPiece> left_out =
+        pieces_before_their_shade(casters, scene.sun.direction_in_world, view.eye_in_world);
+    if (same && !slot.map.fit.cut && left_out == slot.left_out) return false;
+    const ShadowFit fit = fit_shadow(scene, view, casters, size, FitTo::Casters, left_out);
+    slot.left_out = left_out;
     if (same && fit == slot.map.fit) return false;
     slot.keys = keys;
     slot.disc_slope = disc_slope;
@@ -118,12 +122,18 @@ struct SunShadow::Impl {
     slot.framebuffer.bind();
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
-    glDisable(GL_SCISSOR_TEST);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glClearDepthf(1.0F);
+    glDisable(GL_SCISSOR_TEST);
     glClear(GL_DEPTH_BUFFER_BIT);
+    if (slot.map.fit.empty) return;
+    // What lies beside the map must not be taken to go on there from the texels at its edge: those stay lit.
+    if (!slot.left_out.empty()) {
+      glEnable(GL_SCISSOR_TEST);
+      glScissor(1, 1, slot.map.size_px - 2, slot.map.size_px - 2);
+    }
     const glm::dmat4 clip_from_map =
         glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) * glm::scale(glm::dmat4(1.0), glm::dvec3(2.0));
     for (const Instance* caster : casters) {
@@ -137,6 +147,7 @@ struct SunShadow::Impl {
         model.draw(mesh);
       }
     }
+    glDisable(GL_SCISSOR_TEST);
   }
 
   // As far around as the search for blockers reaches (visibility.glsl).

@@ -70,5 +70,32 @@ TEST(ShaftConvergence, EveryTechniqueComesToTheReferenceAsItsKnobsRise) {
   }
 }
 
+double relative_rmse(const Pixels& found, const Pixels& truth) {
+  double error = 0.0;
+  double total = 0.0;
+  for (std::size_t i = 0; i < truth.rgba.size(); ++i) {
+    const glm::dvec3 expected(truth.rgba[i]);
+    const glm::dvec3 off = glm::dvec3(found.rgba[i]) - expected;
+    error += glm::dot(off, off);
+    total += glm::dot(expected, expected);
+  }
+  return std::sqrt(error / total);
+}
+
+// A slab that the eye stands over shades nothing that it sees, so that the map need not hold it: the same shadows and
+// shafts come from a sixteenth of the texels.
+TEST(ShadowFitPicture, AMapWithoutTheGroundShowsTheSame) {
+  SceneState scene = posts(false);
+  scene.instances.front() = place(make_box({30.0F, 30.0F, 0.5F}), {0.0, 8.0, -0.25}, false);
+  const ShaftSettings shafts = parse_shaft_settings("minmax:line_px=1,tolerance=0.005");
+  const LightPictures left_out = rig().render(scene, shafts, 1024);
+  auto whole = std::make_shared<Model>(*scene.instances.front().model);
+  whole->convex_pieces.clear();
+  scene.instances.front().model = whole;
+  const LightPictures in_map = rig().render(scene, shafts, 4096);
+  EXPECT_LT(relative_rmse(left_out.shafts, in_map.shafts), 0.006);
+  EXPECT_LT(relative_rmse(left_out.added, in_map.added), 0.03);  // edges of shadows are a texel wide
+}
+
 }  // namespace
 }  // namespace render::test
