@@ -138,11 +138,11 @@ bool Session::goes_on() const {
 }
 
 int Session::run() {
-  drawing_.warm_up();
   if (!options_.headless) {
     window_ = std::make_unique<LiveWindow>(feed_.info().format, "Skyshaft: " + feed_.info().name, options_.full_screen);
     show_in_window(drawing_.blank());
   }
+  drawing_.warm_up();
   feed_.start();
   tracking_.start();
   {

@@ -26,11 +26,21 @@ std::string text(const unsigned char (&field)[N]) {
   return {begin, strnlen(begin, N)};
 }
 
-std::string group_of(const fs::path& node) {
+std::string no_permission(const fs::path& node) {
   struct stat status {};
-  if (stat(node.c_str(), &status) != 0) return "video";
-  const group* owner = getgrgid(status.st_gid);
-  return owner != nullptr ? owner->gr_name : fmt::format("{}", status.st_gid);
+  const bool known = stat(node.c_str(), &status) == 0;
+  const bool by_group =
+      known && status.st_gid != 0 && (status.st_mode & S_IRGRP) != 0 && (status.st_mode & S_IWGRP) != 0;
+  if (known && !by_group) {
+    return fmt::format("cannot open {}: no permission\nGive yourself some: sudo setfacl -m u:$USER:rw {}.",
+                       node.string(), node.string());
+  }
+  const group* owner = known ? getgrgid(status.st_gid) : nullptr;
+  const std::string name = owner != nullptr ? owner->gr_name : known ? fmt::format("{}", status.st_gid) : "video";
+  return fmt::format(
+      "cannot open {}: no permission; it belongs to group {}\nJoin that group (sudo usermod -aG {} $USER) and log in "
+      "again.",
+      node.string(), name, name);
 }
 
 }  // namespace
@@ -43,10 +53,7 @@ std::string explain(const fs::path& node, const std::string& doing, int error_nu
           node.string());
     case EACCES:
     case EPERM:
-      return fmt::format(
-          "cannot open {}: no permission; it belongs to group {}\nJoin that group (sudo usermod -aG {} $USER) and log "
-          "in again.",
-          node.string(), group_of(node), group_of(node));
+      return no_permission(node);
     case EBUSY:
       return fmt::format("cannot use {}: another program is using it\nClose that program; `fuser -v {}` names it.",
                          node.string(), node.string());

@@ -2,11 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "run_program.h"
 
@@ -14,6 +16,7 @@ namespace cli {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 // Ten frames a second of so few pixels that no machine has to drop any.
 constexpr const char* kClip = R"(skyshaft_synth: 1
@@ -134,30 +137,74 @@ TEST_F(Live, AKilledRecordingPlays) {
   }
 }
 
-TEST_F(Live, WhatCannotBeOpenedIsOneClearLine) {
+// All that is said but for information: one line of what is wrong, one of what to do.
+void expect_clear(const Result& result, int status, const std::string& what, const std::string& remedy) {
+  EXPECT_EQ(result.status, status) << result.err;
+  EXPECT_EQ(result.out, "");
+  std::vector<std::string> lines;
+  std::istringstream in(result.err);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with("info: ")) lines.push_back(line);
+  }
+  ASSERT_EQ(lines.size(), 2U) << result.err;
+  EXPECT_THAT(lines[0], StartsWith("skyshaft: "));
+  EXPECT_THAT(lines[0], HasSubstr(what));
+  EXPECT_THAT(lines[1], HasSubstr(remedy));
+}
+
+TEST_F(Live, WhatCannotBeHadIsOneClearLineAndOneOfWhatToDo) {
+  expect_clear(live({"--source", "v4l2:/dev/video97"}), 3, "cannot open /dev/video97: no such device",
+               "--list-cameras");
+  expect_clear(live({"--source", "v4l2:/dev/null"}), 3, "cannot use /dev/null: it is no video device", "/dev/video0");
+  expect_clear(live({"--source", "libcamera:none"}), 3, "libcamera", "v4l2:");
+  expect_clear(live({"--source", "file:" + clip_, "--egl-device", "99"}), 1, "99", "libegl1");
+  expect_clear(live({"--source", "file:" + clip_, "--output", "v4l2:/dev/video97"}), 3, "/dev/video97: no such device",
+               "sudo modprobe v4l2loopback video_nr=97");
+  expect_clear(live({"--source", "file:" + clip_, "--gpsd", "127.0.0.1:1"}), 1, "127.0.0.1:1", "--at");
+  expect_clear(live({}), 2, "--source", "--list-cameras");
+}
+
+TEST_F(Live, WhatIsNotUnderstoodIsRefused) {
   const auto refused = [](const std::vector<std::string>& arguments, int status, const std::string& what) {
     const Result result = live(arguments);
     EXPECT_EQ(result.status, status) << result.err;
     EXPECT_THAT(result.err, HasSubstr(what));
   };
-  refused({"--source", "v4l2:/dev/video97"}, 3, "/dev/video97");
   refused({"--source", "camera"}, 3, "v4l2:");
   refused({"--source", "file:" + folder_->path("none.mp4")}, 3, "none.mp4");
-  refused({"--source", "file:" + clip_, "--egl-device", "99"}, 1, "libegl1");
   refused({"--source", "file:" + clip_, "--record", clip_}, 1, "--overwrite");
-  refused({"--source", "file:" + clip_, "--output", "v4l2:/dev/video97"}, 3, "modprobe v4l2loopback");
   refused({"--source", "file:" + clip_, "--size", "wide"}, 2, "WIDTHxHEIGHT");
   refused({"--source", "file:" + clip_, "--control", "zoom=3"}, 2, "exposure");
-  refused({"--source", "file:" + clip_, "--gpsd", "127.0.0.1:1"}, 1, "--at");
-  refused({}, 2, "--list-cameras");
 }
 
-TEST_F(Live, WithoutADisplayItSaysWhatToDo) {
-  const Result result =
-      run({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", SKYSHAFT_BINARY_DIR "/skyshaft", "live", "--source",
-           "file:" + clip_, "--scene", scene_, "--camera", folder_->path("clip.camera.yaml"), "--target-ms", "0"});
-  EXPECT_EQ(result.status, 1) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("--headless"));
+TEST_F(Live, WithoutADisplayOrAGpuItSaysWhatToDo) {
+  const auto in = [](std::vector<std::string> command, const std::vector<std::string>& more) {
+    command.insert(command.begin(), {"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY"});
+    command.insert(command.end(), {SKYSHAFT_BINARY_DIR "/skyshaft", "live", "--source", "file:" + clip_, "--scene",
+                                   scene_, "--camera", folder_->path("clip.camera.yaml")});
+    command.insert(command.end(), more.begin(), more.end());
+    return run(command);
+  };
+  expect_clear(in({}, {}), 1, "no display", "--headless");
+  expect_clear(in({"DISPLAY=:9973"}, {}), 1, ":9973", "--headless");
+  expect_clear(in({"__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"}, {"--headless"}), 1, "no OpenGL ES", "libgl1-mesa-dri");
+}
+
+TEST_F(Live, WithoutPermissionItSaysHowToGetIt) {
+  const std::string node = folder_->write("node", "");
+  std::filesystem::permissions(node, std::filesystem::perms::none);
+  std::filesystem::permissions(folder_->path(""), std::filesystem::perms{0755});
+  std::vector<std::string> command{
+      SKYSHAFT_BINARY_DIR "/skyshaft", "live", "--headless", "--source", "v4l2:" + node, "--scene", scene_};
+  // Nothing is forbidden to root.
+  const std::vector<std::string> nobody{"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"};
+  if (geteuid() == 0) {
+    command.insert(command.begin(), nobody.begin(), nobody.end());
+    if (run({"setpriv", nobody[1], nobody[2], nobody[3], "test", "-x", command[4]}).status != 0) {
+      GTEST_SKIP() << "user 65534 may not run what is built here";
+    }
+  }
+  expect_clear(run(command), 3, "cannot open " + node + ": no permission", "setfacl");
 }
 
 }  // namespace

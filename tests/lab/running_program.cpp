@@ -15,9 +15,10 @@
 
 namespace ar::testing {
 
-RunningProgram::RunningProgram(const std::string& arguments, std::string log) : log_(std::move(log)), process_(fork()) {
+RunningProgram::RunningProgram(const std::string& arguments, std::string log, const std::string& through)
+    : log_(std::move(log)), process_(fork()) {
   if (process_ != 0) return;
-  const std::string line = fmt::format("exec {}/skyshaft {} >{} 2>&1", SKYSHAFT_BINARY_DIR, arguments, log_);
+  const std::string line = fmt::format("exec {}{}/skyshaft {} >{} 2>&1", through, SKYSHAFT_BINARY_DIR, arguments, log_);
   execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
   _exit(127);
 }

@@ -11,8 +11,8 @@ namespace ar::testing {
 // `skyshaft`, run beside the test, what it says going into a file.
 class RunningProgram {
  public:
-  // Arguments as a shell takes them.
-  RunningProgram(const std::string& arguments, std::string log);
+  // Arguments as a shell takes them; `through` is a command that runs it ("nice ").
+  RunningProgram(const std::string& arguments, std::string log, const std::string& through = "");
   ~RunningProgram();  // kills it where it still runs
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;

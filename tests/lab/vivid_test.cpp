@@ -5,9 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/lab/lab.h"
+#include "tests/lab/running_program.h"
 
 namespace ar::testing {
 namespace {
@@ -110,6 +112,24 @@ TEST_F(Vivid, WithoutPermissionItNamesTheGroupToJoin) {
   waitpid(child, nullptr, 0);
   EXPECT_NE(std::string(text).find("no permission; it belongs to group video\n"), std::string::npos) << text;
   EXPECT_NE(std::string(text).find("usermod -aG video"), std::string::npos) << text;
+}
+
+// What the program says of a camera that it cannot have: two lines.
+void expect_refused(const std::string& node, const std::string& through, const std::string& what) {
+  RunningProgram program(fmt::format("live --headless --source v4l2:{} --scene {}.scene.yaml", node, lab_clip()),
+                         "/tmp/refused.log", through);
+  EXPECT_EQ(program.status(), 3);
+  const std::string log = program.log();
+  EXPECT_TRUE(log.starts_with("skyshaft: " + what)) << log;
+  EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 2) << log;
+}
+
+TEST_F(Vivid, TheProgramIsTurnedAwayWithStatus3AndTwoLines) {
+  expect_refused(node(), "setpriv --reuid=65534 --regid=65534 --clear-groups ",
+                 fmt::format("cannot open {}: no permission; it belongs to group video\nJoin", node()));
+  const auto source = open();
+  next_frame(*source);
+  expect_refused(node(), "", fmt::format("cannot use {}: another program is using it\nClose", node()));
 }
 
 TEST_F(Vivid, WhatIsNoCameraIsRefusedInOneLineWithWhatToDo) {
