@@ -14,9 +14,11 @@ namespace ar {
 namespace {
 
 // In the order of preference: planes as they are used, then what is split fast, then what is decoded; colour lost last.
-constexpr std::array<CameraFormat, 9> kFormats{{
+constexpr std::array<CameraFormat, 11> kFormats{{
     {"YU12", AV_PIX_FMT_YUV420P, AV_CODEC_ID_NONE},
+    {"YM12", AV_PIX_FMT_YUV420P, AV_CODEC_ID_NONE},  // the same with each plane in memory of its own
     {"NV12", AV_PIX_FMT_NV12, AV_CODEC_ID_NONE},
+    {"NM12", AV_PIX_FMT_NV12, AV_CODEC_ID_NONE},
     {"YUYV", AV_PIX_FMT_YUYV422, AV_CODEC_ID_NONE},
     {"UYVY", AV_PIX_FMT_UYVY422, AV_CODEC_ID_NONE},
     {"RGB3", AV_PIX_FMT_RGB24, AV_CODEC_ID_NONE},

@@ -3,6 +3,8 @@
 #include <linux/videodev2.h>
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "ar/capture/ffmpeg.h"
 #include "ar/capture/v4l2_device.h"
@@ -11,8 +13,9 @@ namespace ar::v4l2 {
 
 // What the driver filled.
 struct Filled {
-  v4l2_buffer about{};       // sequence, timestamp, flags, bytesused
-  ffmpeg::BufferPtr memory;  // the bytes; letting go of the last reference gives the buffer back to the driver
+  v4l2_buffer about{};                          // sequence, timestamp, flags
+  std::vector<std::span<std::uint8_t>> planes;  // the bytes, in one piece of memory or in one for each plane
+  ffmpeg::BufferPtr memory;  // keeps all of them; letting go of the last reference gives the buffer back to the driver
 };
 
 // The memory-mapped buffers of one capture stream, between the driver and whoever holds their pictures. Buffers on loan

@@ -107,11 +107,17 @@ void Device::require(unsigned long request, void* argument, const char* request_
 }
 
 bool Device::captures() const {
-  return (capabilities_ & V4L2_CAP_VIDEO_CAPTURE) != 0 && (capabilities_ & V4L2_CAP_STREAMING) != 0;
+  constexpr std::uint32_t kEither = V4L2_CAP_VIDEO_CAPTURE | V4L2_CAP_VIDEO_CAPTURE_MPLANE;
+  return (capabilities_ & kEither) != 0 && (capabilities_ & V4L2_CAP_STREAMING) != 0;
 }
 
 bool Device::outputs() const {
   return (capabilities_ & V4L2_CAP_VIDEO_OUTPUT) != 0 && (capabilities_ & V4L2_CAP_STREAMING) != 0;
+}
+
+std::uint32_t Device::capture_type() const {
+  const bool single = (capabilities_ & V4L2_CAP_VIDEO_CAPTURE) != 0;
+  return single ? V4L2_BUF_TYPE_VIDEO_CAPTURE : V4L2_BUF_TYPE_VIDEO_CAPTURE_MPLANE;
 }
 
 std::vector<fs::path> list_nodes() {

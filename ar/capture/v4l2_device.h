@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -27,8 +28,10 @@ class Device {
   const std::string& card() const { return card_; }          // "Integrated Camera"
   const std::string& bus_info() const { return bus_info_; }  // "usb-0000:00:14.0-3": where it is plugged in
   const std::string& driver() const { return driver_; }
-  bool captures() const;  // streams pictures from a camera, one memory plane a picture
-  bool outputs() const;   // takes pictures in the same way
+  bool captures() const;  // streams pictures from a camera
+  bool outputs() const;   // takes pictures, one memory plane a picture
+  // V4L2_BUF_TYPE_VIDEO_CAPTURE, or ..._MPLANE where the driver speaks of a picture's planes one by one.
+  std::uint32_t capture_type() const;
 
  private:
   std::filesystem::path node_;

@@ -76,7 +76,8 @@ std::vector<Size> list_sizes(const Device& device, std::uint32_t format, const L
   if (!sizes.empty()) return sizes;
   // A driver that lists none has one, the present one (HDMI grabbers take their input's).
   v4l2_format current{};
-  current.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  current.type = device.capture_type();
+  // Width and height are the first members of both fmt.pix and fmt.pix_mp.
   if (device.call(VIDIOC_G_FMT, &current) == 0 && current.fmt.pix.width > 0) {
     sizes.push_back({static_cast<int>(current.fmt.pix.width), static_cast<int>(current.fmt.pix.height)});
   }
@@ -88,7 +89,7 @@ std::vector<Size> list_sizes(const Device& device, std::uint32_t format, const L
 std::vector<CameraMode> list_modes(const Device& device, const LiveRequest& request) {
   std::vector<CameraMode> modes;
   v4l2_fmtdesc format{};
-  format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  format.type = device.capture_type();
   for (; device.call(VIDIOC_ENUM_FMT, &format) == 0; ++format.index) {
     for (const Size& size : list_sizes(device, format.pixelformat, request)) {
       CameraMode mode{fourcc_name(format.pixelformat), size.width, size.height, {}, false};

@@ -1,15 +1,12 @@
 #include "ar/capture/v4l2_source.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <poll.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <new>
-#include <set>
 
 #include "ar/capture/camera_format.h"
 #include "ar/capture/frame_clock.h"
@@ -20,6 +17,7 @@
 #include "ar/capture/v4l2_buffers.h"
 #include "ar/capture/v4l2_controls.h"
 #include "ar/capture/v4l2_device.h"
+#include "ar/capture/v4l2_stream.h"
 #include "ar/error.h"
 
 namespace ar {
@@ -34,76 +32,6 @@ constexpr milliseconds kFirstPicture{5000};  // a camera may take seconds to sta
 
 std::int64_t microseconds_now() {
   return std::chrono::duration_cast<std::chrono::microseconds>(steady_clock::now().time_since_epoch()).count();
-}
-
-std::string offered_formats(const std::vector<CameraMode>& modes) {
-  std::set<std::string> names;
-  for (const CameraMode& mode : modes) names.insert(mode.format);
-  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
-}
-
-ModeChoice choose(const v4l2::Device& device, const LiveRequest& request) {
-  if (!device.captures()) {
-    throw InputError(fmt::format(
-        "cannot use {} ({}): it gives no pictures to programs\nIt may be an output, hold metadata only, or be part of "
-        "a camera that libcamera drives; `skyshaft live --list-cameras` lists those that can be used.",
-        device.node().string(), device.card()));
-  }
-  const std::vector<CameraMode> modes = v4l2::list_modes(device, request);
-  if (const auto choice = choose_mode(modes, request)) return *choice;
-  throw InputError(
-      fmt::format("cannot use {} ({}): it offers {}, not {}\nAsk for one of these, or none: YU12, NV12, "
-                  "YUYV, UYVY, RGB3, BGR3, MJPG, GREY.",
-                  device.node().string(), device.card(), offered_formats(modes),
-                  request.format ? *request.format : "a format that can be decoded here"));
-}
-
-// Sets size and format; what the driver made of them.
-v4l2_pix_format set_format(const v4l2::Device& device, const CameraMode& mode) {
-  v4l2_format format{};
-  format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-  format.fmt.pix.width = static_cast<std::uint32_t>(mode.width);
-  format.fmt.pix.height = static_cast<std::uint32_t>(mode.height);
-  format.fmt.pix.pixelformat = fourcc_code(mode.format);
-  format.fmt.pix.field = V4L2_FIELD_NONE;
-  device.require(VIDIOC_S_FMT, &format, "VIDIOC_S_FMT");
-  const v4l2_pix_format& set = format.fmt.pix;
-  if (set.pixelformat != fourcc_code(mode.format)) {
-    throw InputError(fmt::format("cannot use {} ({}): asked for {}, it gives {}\nAsk for another format or size.",
-                                 device.node().string(), device.card(), mode.format, fourcc_name(set.pixelformat)));
-  }
-  const bool whole = set.field == V4L2_FIELD_NONE || set.field == V4L2_FIELD_ANY;
-  const bool woven = set.field == V4L2_FIELD_INTERLACED || set.field == V4L2_FIELD_INTERLACED_TB ||
-                     set.field == V4L2_FIELD_INTERLACED_BT;
-  if (!whole && !woven) {
-    throw InputError(
-        fmt::format("cannot use {} ({}): it gives half-pictures (interlaced fields)\nSet its input to a "
-                    "progressive one (v4l2-ctl).",
-                    device.node().string(), device.card()));
-  }
-  if (woven) spdlog::warn("{}: interlaced; its frames are combed where things move", device.node().string());
-  return set;
-}
-
-// Asks for a rate; the one that the driver gives, 0/1 where it does not say.
-Rational set_rate(const v4l2::Device& device, double rate) {
-  v4l2_streamparm parameters{};
-  parameters.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-  if (device.call(VIDIOC_G_PARM, &parameters) != 0) return {0, 1};
-  v4l2_captureparm& capture = parameters.parm.capture;
-  if ((capture.capability & V4L2_CAP_TIMEPERFRAME) != 0) {
-    constexpr std::uint32_t kFine = 10'000'000;  // UVC counts in 100 ns
-    capture.timeperframe = {static_cast<std::uint32_t>(std::lround(kFine / rate)), kFine};
-    if (const int error = device.call(VIDIOC_S_PARM, &parameters); error != 0) {
-      throw InputError(v4l2::explain(device.node(), "VIDIOC_S_PARM", error));
-    }
-  }
-  const v4l2_fract& interval = capture.timeperframe;
-  if (interval.numerator == 0 || interval.denominator == 0) return {0, 1};
-  int num = 0;
-  int den = 1;
-  av_reduce(&num, &den, interval.denominator, interval.numerator, 1'000'000);
-  return {num, den};
 }
 
 class V4l2Source : public LiveSource {
@@ -122,11 +50,12 @@ class V4l2Source : public LiveSource {
     std::int64_t taken_us = 0;
   };
 
-  void describe(const ModeChoice& choice, const v4l2_pix_format& set);
+  void describe(const ModeChoice& choice);
   void await_first_picture();
   LiveRead lost(int error) const;
   LiveRead hand_out(Taken taken);
   int take(Taken& taken);
+  bool find_planes(const v4l2::Filled& filled, AVFrame& picture) const;
   ffmpeg::FramePtr picture_in(const v4l2::Filled& filled);
   std::int64_t time_of(const v4l2_buffer& about);
 
@@ -135,7 +64,7 @@ class V4l2Source : public LiveSource {
   std::string identity_;
   TroubleLog trouble_;
   PictureLayout layout_;  // of raw pictures
-  v4l2_pix_format set_{};
+  v4l2::StreamFormat set_;
   std::optional<MjpegDecoder> decoder_;
   std::optional<FrameMaker> maker_;
   SourceInfo info_;
@@ -152,13 +81,14 @@ V4l2Source::V4l2Source(const std::string& address, const LiveRequest& request)
       controls_(device_),
       identity_("v4l2:" + v4l2::stable_address(*device_)),
       trouble_(device_->node().string()) {
-  const ModeChoice choice = choose(*device_, request);
-  set_ = set_format(*device_, choice.mode);
-  info_.frame_rate = set_rate(*device_, choice.rate);
+  const ModeChoice choice = v4l2::choose(*device_, request);
+  set_ = v4l2::set_format(*device_, choice.mode);
+  info_.frame_rate = v4l2::set_rate(*device_, choice.rate);
   apply(request.controls, controls_, device_->node().string());
   const CameraFormat format = *find_camera_format(choice.mode.format);
-  layout_ = {format.pixels, static_cast<int>(set_.width), static_cast<int>(set_.height),
-             static_cast<int>(set_.bytesperline)};
+  const v4l2_pix_format& set = set_.picture;
+  layout_ = {format.pixels, static_cast<int>(set.width), static_cast<int>(set.height),
+             static_cast<int>(set.bytesperline)};
   if (format.codec != AV_CODEC_ID_NONE) decoder_.emplace();
   buffers_.emplace(device_, kBuffers);
   if (decoder_) {
@@ -168,20 +98,20 @@ V4l2Source::V4l2Source(const std::string& address, const LiveRequest& request)
     like->format = layout_.pixels;
     like->width = layout_.width;
     like->height = layout_.height;
-    tag_colors(set_, *like);
+    tag_colors(set, *like);
     maker_.emplace(*like, nullptr, device_->node().string(), OpenOptions{.threads = 1});
   }
-  describe(choice, set_);
+  describe(choice);
 }
 
-void V4l2Source::describe(const ModeChoice& choice, const v4l2_pix_format& set) {
+void V4l2Source::describe(const ModeChoice& choice) {
   maker_->describe(info_);
   info_.name = fmt::format("{} ({})", device_->card(), device_->node().string());
   info_.time_base = {1, 1'000'000};
   info_.codec = choice.mode.format;
   if (info_.frame_rate.num > 0) duration_s_ = static_cast<double>(info_.frame_rate.den) / info_.frame_rate.num;
-  spdlog::info("{}: {} {}x{} at {:.4g} frames a second", info_.name, choice.mode.format, set.width, set.height,
-               duration_s_ > 0 ? 1.0 / duration_s_ : 0.0);
+  spdlog::info("{}: {} {}x{} at {:.4g} frames a second", info_.name, choice.mode.format, set_.picture.width,
+               set_.picture.height, duration_s_ > 0 ? 1.0 / duration_s_ : 0.0);
 }
 
 // Only its first picture says how a compressed stream is sampled.
@@ -219,15 +149,33 @@ std::int64_t V4l2Source::time_of(const v4l2_buffer& about) {
   return reading.taken_us;
 }
 
+// Points the picture at what was filled. False where that is too short.
+bool V4l2Source::find_planes(const v4l2::Filled& filled, AVFrame& picture) const {
+  if (filled.planes.size() == 1) {
+    const std::ptrdiff_t offset = filled.planes[0].data() - filled.memory->data;
+    for (std::uint8_t*& plane : picture.data) {
+      if (plane != nullptr) plane += offset;
+    }
+    return filled.planes[0].size() >= layout_.bytes();
+  }
+  for (std::size_t i = 0; i < filled.planes.size(); ++i) {
+    const int rows = i == 0 ? layout_.height : (layout_.height + 1) / 2;  // YM12 and NM12 are 4:2:0
+    picture.data[i] = filled.planes[i].data();
+    picture.linesize[i] = set_.strides_bytes.at(i);
+    if (filled.planes[i].size() < static_cast<std::size_t>(rows) * static_cast<std::size_t>(picture.linesize[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
 ffmpeg::FramePtr V4l2Source::picture_in(const v4l2::Filled& filled) {
   const bool broken = (filled.about.flags & V4L2_BUF_FLAG_ERROR) != 0;
-  const std::size_t used = std::min<std::size_t>(filled.about.bytesused, filled.memory->size);
-  if (decoder_) {
-    return broken || used == 0 ? nullptr : decoder_->decode({filled.memory->data, used});
-  }
-  if (broken || used < layout_.bytes()) return nullptr;
+  if (broken) return nullptr;
+  if (decoder_) return filled.planes[0].empty() ? nullptr : decoder_->decode(filled.planes[0]);
   ffmpeg::FramePtr picture = picture_on(layout_, filled.memory.get());
-  tag_colors(set_, *picture);
+  if (!find_planes(filled, *picture)) return nullptr;
+  tag_colors(set_.picture, *picture);
   // Pictures that need no conversion go out in the driver's own memory, until it would run dry.
   const bool dry = buffers_->on_loan() + kDriversShare > buffers_->count();
   if (dry && is_native(layout_.pixels) && av_frame_make_writable(picture.get()) < 0) throw std::bad_alloc();

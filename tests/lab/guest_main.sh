@@ -5,7 +5,7 @@ share=/run/lab/share
 exec >"/dev/$(ls /sys/class/virtio-ports)" 2>&1 # the one port there is
 
 /lib/systemd/systemd-udevd --daemon || echo "lab: no udevd: hot-plugging will not be seen"
-modprobe vivid n_devs=1 node_types=0x101 # a camera and an output
+modprobe vivid n_devs=2 node_types=0x101,0x1 multiplanar=1,2 # a camera and an output; a camera of many planes
 modprobe vhci-hcd
 modprobe uvcvideo
 modprobe vimc

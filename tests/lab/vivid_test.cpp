@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 #include <grp.h>
+#include <linux/videodev2.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "ar/capture/v4l2_device.h"
 #include "tests/lab/lab.h"
 #include "tests/lab/running_program.h"
 
@@ -29,21 +31,13 @@ class Vivid : public ::testing::Test {
   std::string node_ = node_of("vivid");
 };
 
-class VividFormat : public Vivid, public ::testing::WithParamInterface<const char*> {};
-
 // vivid's bars of 75 % (SMPTE EG 1), in R'G'B' of 0..255.
 constexpr Rgb kBars[] = {{191, 191, 191}, {191, 191, 0}, {0, 191, 191}, {0, 191, 0},
                          {191, 0, 191},   {191, 0, 0},   {0, 0, 191},   {0, 0, 0}};
 
-TEST_P(VividFormat, GivesTheBarsInTheirColours) {
-  const std::string format = GetParam();
-  const auto source = open_live_source(specification(), {640, 360, 25, format});
-  EXPECT_EQ(source->info().codec, format);
-  EXPECT_EQ(source->info().format.width, 640);
-  EXPECT_NEAR(static_cast<double>(source->info().frame_rate.num) / source->info().frame_rate.den, 25.0, 1e-6);
-  const Frame frame = next_frame(*source);
+void expect_bars(const Frame& frame, bool grey) {
+  ASSERT_EQ(frame.format.width, 640);
   ASSERT_EQ(frame.format.height, 360);
-  const bool grey = format == "GREY";
   for (int bar = 0; bar < 8; ++bar) {
     const Rgb& bars = kBars[bar];
     const double luma = 0.2126 * bars.r + 0.7152 * bars.g + 0.0722 * bars.b;  // vivid's grey is BT.709's
@@ -56,7 +50,45 @@ TEST_P(VividFormat, GivesTheBarsInTheirColours) {
   }
 }
 
+class VividFormat : public Vivid, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(VividFormat, GivesTheBarsInTheirColours) {
+  const std::string format = GetParam();
+  const auto source = open_live_source(specification(), {640, 360, 25, format});
+  EXPECT_EQ(source->info().codec, format);
+  EXPECT_NEAR(static_cast<double>(source->info().frame_rate.num) / source->info().frame_rate.den, 25.0, 1e-6);
+  expect_bars(next_frame(*source), format == "GREY");
+}
+
 INSTANTIATE_TEST_SUITE_P(, VividFormat, ::testing::Values("YU12", "NV12", "YUYV", "UYVY", "RGB3", "BGR3", "GREY"),
+                         [](const auto& test) { return std::string(test.param); });
+
+// The second vivid speaks of planes only (V4L2's multi-planar interface).
+std::string node_of_planes() {
+  for (const auto& node : v4l2::list_nodes()) {
+    const v4l2::Device device(node);
+    const bool several = device.capture_type() == V4L2_BUF_TYPE_VIDEO_CAPTURE_MPLANE;
+    if (device.driver() == "vivid" && device.captures() && several) return node.string();
+  }
+  return {};
+}
+
+class VividPlanes : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(VividPlanes, GivesTheBarsInTheirColours) {
+  const std::string node = node_of_planes();
+  set_control(node, "OSD Text Mode", 2);  // no letters in the picture
+  const std::string format = GetParam();
+  auto source = open_live_source("v4l2:" + node, {640, 360, 25, format});
+  EXPECT_EQ(source->info().codec, format);
+  std::vector<Frame> held;
+  for (int i = 0; i < 9; ++i) held.push_back(next_frame(*source));  // more than there are buffers
+  source.reset();
+  for (const Frame& frame : held) expect_bars(frame, format == "GREY");
+}
+
+INSTANTIATE_TEST_SUITE_P(, VividPlanes,
+                         ::testing::Values("YU12", "NV12", "YUYV", "UYVY", "RGB3", "BGR3", "GREY", "YM12", "NM12"),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_F(Vivid, FramesCarryTheDriversTimeInTheSystemsClock) {
