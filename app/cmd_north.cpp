@@ -7,10 +7,12 @@
 #include <iostream>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/calibration/inputs.h"
+#include "app/calibration/shadow_clicker.h"
 #include "app/calibration/tag_map_text.h"
 #include "app/commands.h"
 #include "app/error.h"
@@ -56,13 +58,28 @@ ar::TagMap read_map(const std::string& path) {
 render::SunPosition sun_of(const NorthArguments& arguments) {
   try {
     const ar::GeoPosition at = ar::parse_position(arguments.at);
-    return render::sun_position({at.latitude_deg, at.longitude_deg, at.height_m}, ar::parse_time(arguments.time));
+    const render::Place place{at.latitude_deg / kDegrees, at.longitude_deg / kDegrees, at.height_m};
+    return render::sun_position(place, ar::parse_time(arguments.time));
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
 }
 
-calib::Heading from_shadow(const NorthArguments& arguments, const ar::TagMap& map) {
+// Given, or clicked in a window; nothing when that was closed.
+std::optional<ShadowPixels> shadow_pixels(const NorthArguments& arguments, const ar::Frame& photo) {
+  if (arguments.base.size() == 2) {
+    return ShadowPixels{{arguments.base[0], arguments.base[1]}, {arguments.tip[0], arguments.tip[1]}};
+  }
+  const auto clicked = click_shadow(photo, arguments.photo);
+  if (clicked) {
+    std::cout << fmt::format("clicked --base {:.1f},{:.1f} --tip {:.1f},{:.1f}\n", clicked->base.x, clicked->base.y,
+                             clicked->tip.x, clicked->tip.y);
+  }
+  return clicked;
+}
+
+// Nothing when it was called off.
+std::optional<calib::Heading> from_shadow(const NorthArguments& arguments, const ar::TagMap& map) {
   const auto source = open_quietly(arguments.photo);
   const auto frame = source->next();
   if (!frame) throw ar::InputError(arguments.photo + ": no picture in it\ngive a photograph");
@@ -84,39 +101,49 @@ calib::Heading from_shadow(const NorthArguments& arguments, const ar::TagMap& ma
                     "--time (with its zone)",
                     sun.apparent_elevation_rad * kDegrees));
   }
+  const auto pixels = shadow_pixels(arguments, *frame);
+  if (!pixels) return std::nullopt;
   calib::ShadowClicks clicks;
-  clicks.base_px = {arguments.base[0], arguments.base[1]};
-  clicks.tip_px = {arguments.tip[0], arguments.tip[1]};
+  clicks.base_px = pixels->base;
+  clicks.tip_px = pixels->tip;
   clicks.sigma_px = arguments.click_px;
   clicks.ground_m = arguments.ground_m;
   return calib::heading_from_shadow(ar::Lens(camera), pose->world_from_camera, pose->covariance, clicks,
                                     sun.azimuth_rad);
 }
 
-calib::Heading from_compass(const NorthArguments& arguments, const ar::TagMap& map) {
+std::optional<calib::Heading> from_compass(const NorthArguments& arguments, const ar::TagMap& map) {
   const int id = arguments.tag >= 0 ? arguments.tag : map.tags.begin()->first;
   const auto tag = map.tags.find(id);
   if (tag == map.tags.end()) {
     throw UsageError(fmt::format("--tag: {} has no tag {}\ngive one of its tags", arguments.map, id));
   }
   const double truth = (arguments.compass_deg + arguments.declination_deg) / kDegrees;
-  return {calib::wrapped(truth - calib::heading_of_tag(tag->second.world_from_tag)),
-          arguments.compass_sigma_deg / kDegrees};
+  return calib::Heading{calib::wrapped(truth - calib::heading_of_tag(tag->second.world_from_tag)),
+                        arguments.compass_sigma_deg / kDegrees};
+}
+
+void check_shadow_arguments(const NorthArguments& arguments) {
+  if (arguments.camera.empty() || arguments.at.empty() || arguments.time.empty()) {
+    throw UsageError("a shadow needs --camera, --at and --time\nsee: skyshaft north --help");
+  }
+  if (arguments.base.size() != arguments.tip.size()) {
+    throw UsageError(
+        "--base and --tip belong together\ngive X,Y of both in pixels, or neither to click them in a window");
+  }
 }
 
 int run(const NorthArguments& arguments) {
   const bool shadow = !arguments.photo.empty();
   if (shadow == arguments.has_compass) {
-    throw UsageError("one of --photo and --compass\n--photo with --base and --tip of a shadow, or --compass of a tag");
+    throw UsageError("one of --photo and --compass\n--photo with a shadow, or --compass of a tag");
   }
-  if (shadow && (arguments.camera.empty() || arguments.base.size() != 2 || arguments.tip.size() != 2 ||
-                 arguments.at.empty() || arguments.time.empty())) {
-    throw UsageError(
-        "a shadow needs --camera, --base X,Y, --tip X,Y, --at and --time\nX,Y are pixels of the photograph");
-  }
+  if (shadow) check_shadow_arguments(arguments);
   if (!arguments.output.empty()) check_may_write(arguments.output, arguments.overwrite);
   ar::TagMap map = read_map(arguments.map);
-  const calib::Heading heading = shadow ? from_shadow(arguments, map) : from_compass(arguments, map);
+  const auto found = shadow ? from_shadow(arguments, map) : from_compass(arguments, map);
+  if (!found) return kInterrupted;
+  const calib::Heading& heading = *found;
   const std::string what = fmt::format("turned by {:+.3f} +- {:.3f} degrees clockwise from above",
                                        heading.turn_rad * kDegrees, heading.sigma_rad * kDegrees);
   const ar::Rigid3 turn{ar::rotation_from_vector({0.0, 0.0, -heading.turn_rad}), {0.0, 0.0, 0.0}};
@@ -145,7 +172,9 @@ void add_north_command(CLI::App& app, Program& program) {
   command->add_option("--photo", arguments->photo,
                       "Photograph of a vertical edge, its shadow on level ground and a tag of the map");
   command->add_option("--camera", arguments->camera, "Camera file of the photograph");
-  command->add_option("--base", arguments->base, "X,Y: pixel where the edge meets the ground")
+  command
+      ->add_option("--base", arguments->base,
+                   "X,Y: pixel where the edge meets the ground; without it, both pixels are clicked in a window")
       ->delimiter(',')
       ->expected(2);
   command->add_option("--tip", arguments->tip, "X,Y: pixel of a point of the edge's shadow, the farther the better")
@@ -168,6 +197,9 @@ void add_north_command(CLI::App& app, Program& program) {
   command->add_option("--tag", arguments->tag, "The tag of the compass reading; default: the first")->needs(compass);
   command->add_flag("--overwrite", arguments->overwrite, "Replace a file that exists");
   command->footer(
+      "Without --base and --tip a window shows the photograph: click the foot of the edge, then a point of its "
+      "shadow;\n"
+      "Backspace takes a click back, Enter accepts. The status is 130 when the window is closed.\n\n"
       "Examples:\n  skyshaft north tags.yaml --photo post.jpg --camera phone.yaml --base 812,1430 --tip 1403,1288 \\\n"
       "      --at 48.8584,2.2945 --time 2024-06-21T07:30:00Z -o tags_north.yaml\n"
       "  skyshaft north tags.yaml --tag 0 --compass 197 --declination 1.8 -o tags_north.yaml");

@@ -104,18 +104,25 @@ std::vector<cv::Vec3d> points_of(const Board& board, const Sighting& view) {
 
 }  // namespace
 
-std::string words_of(const HeldView& view) {
+std::string words_of_place(const HeldView& view) {
   static constexpr const char* kPlaces[3][3] = {
       {"in the upper left corner", "at the top", "in the upper right corner"},
       {"at the left", "in the middle", "at the right"},
       {"in the lower left corner", "at the bottom", "in the lower right corner"}};
+  return kPlaces[view.row][view.column];
+}
+
+std::string words_of_attitude(const HeldView& view) {
   static constexpr const char* kTiltWords[] = {"facing the camera", "tilted about the vertical axis (left edge nearer)",
                                                "tilted about the vertical axis (right edge nearer)",
                                                "tilted about the horizontal axis (top edge nearer)",
                                                "tilted about the horizontal axis (bottom edge nearer)"};
   static constexpr const char* kReachWords[] = {"near", "at a middle distance", "far"};
-  return fmt::format("{}, {}, {}", kPlaces[view.row][view.column], kTiltWords[static_cast<int>(view.tilt)],
-                     kReachWords[static_cast<int>(view.reach)]);
+  return fmt::format("{}, {}", kTiltWords[static_cast<int>(view.tilt)], kReachWords[static_cast<int>(view.reach)]);
+}
+
+std::string words_of(const HeldView& view) {
+  return words_of_place(view) + ", " + words_of_attitude(view);
 }
 
 std::optional<HeldView> held_view_of(const Board& board, const Sighting& view, const ar::CameraModel& camera) {

@@ -24,6 +24,9 @@ struct HeldView {
 
 // "in the upper left corner, tilted about the vertical axis (left edge nearer), near".
 std::string words_of(const HeldView& view);
+// Its two parts: where, and how.
+std::string words_of_place(const HeldView& view);
+std::string words_of_attitude(const HeldView& view);
 
 // How a view is held, seen through a camera known about; nothing where no pose explains it.
 std::optional<HeldView> held_view_of(const Board& board, const Sighting& view, const ar::CameraModel& camera);

@@ -38,7 +38,7 @@ bool plausible(const Solution& solution, double picture_px) {
 const char* to_string(FrameUse use) {
   switch (use) {
     case FrameUse::NoBoard:
-      return "the board is not in the picture";
+      return "the board is not seen";
     case FrameUse::Moving:
       return "hold it still";
     case FrameUse::Blurred:

@@ -76,7 +76,7 @@ class ViewCollector {
   double sharpest_px_ = 1e9;  // narrowest edges of a still board so far
 };
 
-// "the board is not in the picture", ... for people.
+// "hold it still", ... for people.
 const char* to_string(FrameUse use);
 
 }  // namespace calib

@@ -37,13 +37,18 @@ void draw_count(const char* name, int views) {
 
 void draw_panel(const calib::ViewCollector& collector, calib::FrameUse use, const std::string& lost) {
   const calib::ViewCoverage& coverage = collector.coverage();
-  ImGui::SetNextWindowPos({10.0F, 10.0F}, ImGuiCond_FirstUseEver);
+  // Where it does not hide the view that is asked for.
+  const bool at_foot = collector.next().row == 0;
+  const float height = ImGui::GetIO().DisplaySize.y;
+  ImGui::SetNextWindowPos({10.0F, at_foot ? height - 10.0F : 10.0F}, ImGuiCond_Always, {0.0F, at_foot ? 1.0F : 0.0F});
+  ImGui::SetNextWindowBgAlpha(0.6F);
   ImGui::Begin("Calibration", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
-  ImGui::TextColored({1.0F, 0.85F, 0.3F, 1.0F}, "hold the board %s", calib::words_of(collector.next()).c_str());
+  ImGui::TextColored({1.0F, 0.85F, 0.3F, 1.0F}, "hold the board %s,", calib::words_of_place(collector.next()).c_str());
+  ImGui::TextColored({1.0F, 0.85F, 0.3F, 1.0F}, "%s", calib::words_of_attitude(collector.next()).c_str());
   ImGui::TextUnformatted(lost.empty() ? calib::to_string(use) : ("camera lost: " + lost).c_str());
   ImGui::ProgressBar(
       static_cast<float>(coverage.picture), {300.0F, 0.0F},
-      fmt::format("{} views, {:.0f} % of the picture", collector.taken().size(), 100.0 * coverage.picture).c_str());
+      fmt::format("views: {}, {:.0f} % of the picture", collector.taken().size(), 100.0 * coverage.picture).c_str());
   ImGui::TextUnformatted("tilts:    ");
   for (std::size_t i = 0; i < kTiltNames.size(); ++i) draw_count(kTiltNames.at(i), coverage.tilts.at(i));
   ImGui::TextUnformatted("distances:");
