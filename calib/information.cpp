@@ -1,44 +1,68 @@
 #include "calib/information.h"
 
-#include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "calib/corner_error.h"
+#include "calib/linear.h"
 
 namespace calib {
 namespace {
 
+constexpr std::size_t kMostColumns = 15;  // of one corner: intrinsics and its offset
+
+// A corner's derivatives, its two coordinates apart.
+struct CornerDerivatives {
+  struct Rows {
+    std::array<double, kMostColumns> u{};
+    std::array<double, kMostColumns> v{};
+    double dot(std::size_t a, std::size_t b) const { return u[a] * u[b] + v[a] * v[b]; }
+  };
+  Rows by_shared;
+  std::array<double, 12> by_pose{};  // row by row
+};
+
 // Normal equations in blocks: shared parameters (intrinsics, then the free offsets), and one pose after the other.
 class NormalEquations {
  public:
-  explicit NormalEquations(int shared) : shared_(Eigen::MatrixXd::Zero(shared, shared)) { begin_pose(); }
+  explicit NormalEquations(int shared) : shared_(shared, shared, 0.0) { begin_pose(); }
 
   void begin_pose() {
-    pose_ = Eigen::Matrix<double, 6, 6>::Zero();
-    cross_ = Eigen::MatrixXd::Zero(shared_.rows(), 6);
+    pose_ = cv::Mat_<double>(6, 6, 0.0);
+    cross_ = cv::Mat_<double>(shared_.rows, 6, 0.0);
   }
-  void add(const Eigen::MatrixXd& by_shared, const std::vector<int>& columns,
-           const Eigen::Matrix<double, 2, 6>& by_pose) {
-    const Eigen::MatrixXd square = by_shared.transpose() * by_shared;
-    const Eigen::MatrixXd mixed = by_shared.transpose() * by_pose;
-    for (int a = 0; a < square.rows(); ++a) {
-      const int row = columns[static_cast<std::size_t>(a)];
-      cross_.row(row) += mixed.row(a);
-      for (int b = 0; b < square.cols(); ++b) shared_(row, columns[static_cast<std::size_t>(b)]) += square(a, b);
+  // Derivatives of a corner's two coordinates: by shared parameters, which have those columns, and by the pose.
+  void add(const CornerDerivatives& corner, const std::vector<int>& columns) {
+    for (std::size_t a = 0; a < columns.size(); ++a) {
+      double* shared = shared_[columns[a]];
+      double* cross = cross_[columns[a]];
+      for (std::size_t b = 0; b < columns.size(); ++b) shared[columns[b]] += corner.by_shared.dot(a, b);
+      for (std::size_t p = 0; p < 6; ++p) {
+        cross[p] += corner.by_shared.u[a] * corner.by_pose[p] + corner.by_shared.v[a] * corner.by_pose[6 + p];
+      }
     }
-    pose_ += by_pose.transpose() * by_pose;
+    for (std::size_t p = 0; p < 6; ++p) {
+      for (std::size_t q = 0; q < 6; ++q) {
+        pose_(static_cast<int>(p), static_cast<int>(q)) +=
+            corner.by_pose[p] * corner.by_pose[q] + corner.by_pose[6 + p] * corner.by_pose[6 + q];
+      }
+    }
   }
   // The pose is left free: what the corners said about it is no longer there for the shared parameters.
-  void end_pose() { shared_ -= cross_ * pose_.ldlt().solve(cross_.transpose()); }
+  void end_pose() {
+    cv::Mat_<double> mixed;
+    cv::transpose(cross_, mixed);
+    cv::gemm(cross_, solve_symmetric(pose_, mixed), -1.0, shared_, 1.0, shared_);
+  }
   void add_diagonal(int column, double value) { shared_(column, column) += value; }
-  const Eigen::MatrixXd& shared() const { return shared_; }
+  const cv::Mat_<double>& shared() const { return shared_; }
 
  private:
-  Eigen::MatrixXd shared_;
-  Eigen::Matrix<double, 6, 6> pose_;
-  Eigen::MatrixXd cross_;
+  cv::Mat_<double> shared_;
+  cv::Mat_<double> pose_;
+  cv::Mat_<double> cross_;
 };
 
 // Columns of a point's free offsets among the shared parameters, and which of its three axes they are.
@@ -49,52 +73,74 @@ struct FreeAxes {
   }
 };
 
-void add_corner(const Bundle& bundle, std::size_t v, std::size_t i, std::size_t point, const FreeAxes& free,
-                NormalEquations& equations) {
-  const int count = intrinsics_count(bundle.lens);
-  Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor> by_intrinsics(2, count);
-  Eigen::Matrix<double, 2, 6, Eigen::RowMajor> by_pose;
-  Eigen::Matrix<double, 2, 3, Eigen::RowMajor> by_offset;
-  double residual[2];
-  if (!corner_error(bundle.lens, bundle.px[v][i], bundle.intrinsics.data(), bundle.poses[v].data(),
-                    bundle.point_on_board(point), residual, {by_intrinsics.data(), by_pose.data(), by_offset.data()})) {
-    return;
+bool differentiate(LensChoice lens, const std::vector<double>& intrinsics, const PoseNumbers& pose,
+                   const cv::Vec3d& on_board, CornerDerivatives& corner, double* by_point) {
+  std::array<double, 24> by_intrinsics{};
+  double px[2];
+  if (!corner_error(lens, {}, intrinsics.data(), pose.data(), on_board, px,
+                    {by_intrinsics.data(), corner.by_pose.data(), by_point})) {
+    return false;
   }
-  const auto axes = static_cast<int>(free.axes.size());
-  Eigen::MatrixXd by_shared(2, count + axes);
-  by_shared.leftCols(count) = by_intrinsics;
-  std::vector<int> columns(static_cast<std::size_t>(count));
-  for (int c = 0; c < count; ++c) columns[static_cast<std::size_t>(c)] = c;
-  for (int k = 0; k < axes; ++k) {
-    by_shared.col(count + k) = by_offset.col(free.axes[static_cast<std::size_t>(k)]);
-    columns.push_back(free.column_of(point, count, static_cast<std::size_t>(k)));
+  const auto count = static_cast<std::size_t>(intrinsics_count(lens));
+  for (std::size_t i = 0; i < count; ++i) {
+    corner.by_shared.u.at(i) = by_intrinsics.at(i);
+    corner.by_shared.v.at(i) = by_intrinsics.at(count + i);
   }
-  equations.add(by_shared, columns, by_pose);
+  return true;
 }
 
-Information invert(const Eigen::MatrixXd& shared, int intrinsics) {
-  Information out;
-  out.covariance = cv::Mat_<double>(intrinsics, intrinsics, 0.0);
-  for (int i = 0; i < intrinsics; ++i) out.covariance(i, i) = std::numeric_limits<double>::infinity();
-  // Offsets are left free first; their prior keeps that block regular.
-  const Eigen::Index n = intrinsics;
-  const Eigen::Index m = shared.rows() - n;
-  Eigen::MatrixXd information = shared.topLeftCorner(n, n);
-  if (m > 0) {
-    information -=
-        shared.topRightCorner(n, m) * shared.bottomRightCorner(m, m).ldlt().solve(shared.bottomLeftCorner(m, n));
+void add_corner(const Bundle& bundle, std::size_t v, std::size_t point, const FreeAxes& free,
+                NormalEquations& equations) {
+  CornerDerivatives corner;
+  std::array<double, 6> by_offset{};
+  if (!differentiate(bundle.lens, bundle.intrinsics, bundle.poses[v], bundle.point_on_board(point), corner,
+                     by_offset.data())) {
+    return;
   }
-  const Eigen::VectorXd scale = information.diagonal().cwiseMax(0.0).cwiseSqrt();
-  if (!(scale.minCoeff() > 0.0) || !information.allFinite()) return out;
-  const Eigen::VectorXd inverse_scale = scale.cwiseInverse();
-  const Eigen::MatrixXd scaled = inverse_scale.asDiagonal() * information * inverse_scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-  out.conditioning = std::max(0.0, eigen.eigenvalues()(0)) / eigen.eigenvalues()(n - 1);
+  const auto count = static_cast<std::size_t>(intrinsics_count(bundle.lens));
+  std::vector<int> columns(count);
+  std::iota(columns.begin(), columns.end(), 0);
+  for (std::size_t k = 0; k < free.axes.size(); ++k) {
+    const auto axis = static_cast<std::size_t>(free.axes[k]);
+    corner.by_shared.u.at(count + k) = by_offset.at(axis);
+    corner.by_shared.v.at(count + k) = by_offset.at(3 + axis);
+    columns.push_back(free.column_of(point, static_cast<int>(count), k));
+  }
+  equations.add(corner, columns);
+}
+
+Information invert(const cv::Mat_<double>& shared, int n) {
+  Information out;
+  out.covariance = cv::Mat_<double>(n, n, 0.0);
+  for (int i = 0; i < n; ++i) out.covariance(i, i) = std::numeric_limits<double>::infinity();
+  // Offsets are left free first; their prior keeps that block regular.
+  cv::Mat_<double> information = shared(cv::Range(0, n), cv::Range(0, n)).clone();
+  const cv::Range rest(n, shared.rows);
+  if (rest.size() > 0) {
+    const cv::Mat_<double> mixed = shared(rest, cv::Range(0, n));
+    information -= transposed_product(mixed, solve_symmetric(shared(rest, rest), mixed));
+  }
+  if (!all_finite(information)) return out;
+  std::vector<double> scale;
+  for (int i = 0; i < n; ++i) {
+    if (!(information(i, i) > 0.0)) return out;
+    scale.push_back(1.0 / std::sqrt(information(i, i)));
+  }
+  const auto scale_of = [&](int r, int c) {
+    return scale[static_cast<std::size_t>(r)] * scale[static_cast<std::size_t>(c)];
+  };
+  for (int r = 0; r < n; ++r) {
+    for (int c = 0; c < n; ++c) information(r, c) *= scale_of(r, c);
+  }
+  const SymmetricEigen eigen = symmetric_eigen(information);
+  out.conditioning = std::max(0.0, eigen.values(0)) / eigen.values(n - 1);
   if (out.conditioning < 1e-13) return out;
-  const Eigen::MatrixXd inverse =
-      eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
-  for (int r = 0; r < intrinsics; ++r) {
-    for (int c = 0; c < intrinsics; ++c) out.covariance(r, c) = inverse(r, c) * inverse_scale(r) * inverse_scale(c);
+  for (int r = 0; r < n; ++r) {
+    for (int c = 0; c < n; ++c) {
+      double sum = 0.0;
+      for (int k = 0; k < n; ++k) sum += eigen.vectors(r, k) * eigen.vectors(c, k) / eigen.values(k);
+      out.covariance(r, c) = sum * scale_of(r, c);
+    }
   }
   return out;
 }
@@ -116,7 +162,7 @@ Information intrinsics_information(const Bundle& bundle, double noise_px) {
     bool any = false;
     for (std::size_t i = 0; i < bundle.px[v].size(); ++i) {
       if (!bundle.used[v][i]) continue;
-      add_corner(bundle, v, i, static_cast<std::size_t>(bundle.views[v]->points[i]), free, equations);
+      add_corner(bundle, v, static_cast<std::size_t>(bundle.views[v]->points[i]), free, equations);
       any = true;
     }
     if (any) equations.end_pose();
@@ -130,25 +176,16 @@ cv::Mat_<double> view_information(LensChoice lens, const std::vector<double>& in
   NormalEquations equations(count);
   std::vector<int> columns(static_cast<std::size_t>(count));
   std::iota(columns.begin(), columns.end(), 0);
-  Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor> by_intrinsics(2, count);
-  Eigen::Matrix<double, 2, 6, Eigen::RowMajor> by_pose;
   int seen = 0;
   for (const cv::Vec3d& point : points) {
-    double px[2];
-    if (!corner_error(lens, {}, intrinsics.data(), camera_from_board.data(), point, px,
-                      {by_intrinsics.data(), by_pose.data(), nullptr})) {
-      continue;
-    }
-    equations.add(by_intrinsics, columns, by_pose);
+    CornerDerivatives corner;
+    if (!differentiate(lens, intrinsics, camera_from_board, point, corner, nullptr)) continue;
+    equations.add(corner, columns);
     ++seen;
   }
-  cv::Mat_<double> out(count, count, 0.0);
-  if (seen < 4) return out;
+  if (seen < 4) return cv::Mat_<double>(count, count, 0.0);
   equations.end_pose();
-  for (int r = 0; r < count; ++r) {
-    for (int c = 0; c < count; ++c) out(r, c) = equations.shared()(r, c);
-  }
-  return out;
+  return equations.shared();
 }
 
 }  // namespace calib

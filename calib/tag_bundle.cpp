@@ -6,7 +6,6 @@
 #include <ceres/solver.h>
 #include <glog/logging.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +14,7 @@
 #include "ar/track/lens.h"
 #include "ar/track/tag_map.h"
 #include "calib/corner_error.h"
+#include "calib/linear.h"
 
 namespace calib {
 namespace {
@@ -81,8 +81,8 @@ bool is_finite(const PoseNumbers& pose) {
 // d(pixel) by small steps of the camera (along the map's axes) and of the tag, as ar::moved() takes them.
 struct Derivatives {
   bool valid = false;
-  Eigen::Matrix<double, 2, 6> by_camera;
-  Eigen::Matrix<double, 2, 6> by_tag;
+  cv::Matx<double, 2, 6> by_camera;
+  cv::Matx<double, 2, 6> by_tag;
 };
 
 Derivatives derivatives_of(const ar::Lens& lens, const ar::Rigid3& map_from_camera, const ar::Rigid3& map_from_tag,
@@ -110,26 +110,28 @@ Derivatives derivatives_of(const ar::Lens& lens, const ar::Rigid3& map_from_came
 }
 
 // Information about all tags' poses, the first one's included, each camera's pose left free.
-Eigen::MatrixXd tags_information(const TagBundle& bundle) {
+cv::Mat_<double> tags_information(const TagBundle& bundle) {
   const ar::Lens lens(bundle.lens);
-  const auto n = static_cast<Eigen::Index>(6 * bundle.map_from_tag.size());
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n, n);
+  const int n = static_cast<int>(6 * bundle.map_from_tag.size());
+  cv::Mat_<double> information(n, n, 0.0);
   for (std::size_t camera = 0; camera < bundle.map_from_camera.size(); ++camera) {
-    Eigen::Matrix<double, 6, 6> of_camera = Eigen::Matrix<double, 6, 6>::Zero();
-    Eigen::MatrixXd cross = Eigen::MatrixXd::Zero(n, 6);
+    cv::Matx66d of_camera = cv::Matx66d::zeros();
+    cv::Mat_<double> cross(6, n, 0.0);
     for (const TagObservation& seen : bundle.observations) {
       if (!seen.used || seen.camera != camera) continue;
-      const auto at = static_cast<Eigen::Index>(6 * seen.tag);
+      const int at = static_cast<int>(6 * seen.tag);
+      const cv::Range columns(at, at + 6);
       for (const cv::Vec3d& corner : ar::corners_in_tag(bundle.tag_size_m[seen.tag])) {
         const Derivatives d =
             derivatives_of(lens, bundle.map_from_camera[camera], bundle.map_from_tag[seen.tag], corner);
         if (!d.valid) continue;
-        information.block<6, 6>(at, at) += d.by_tag.transpose() * d.by_tag;
-        cross.middleRows<6>(at) += d.by_tag.transpose() * d.by_camera;
-        of_camera += d.by_camera.transpose() * d.by_camera;
+        information(columns, columns) += cv::Mat(d.by_tag.t() * d.by_tag);
+        cross.colRange(columns) += cv::Mat(d.by_camera.t() * d.by_tag);
+        of_camera += d.by_camera.t() * d.by_camera;
       }
     }
-    if (of_camera.trace() > 0.0) information -= cross * of_camera.ldlt().solve(cross.transpose());
+    if (cv::trace(of_camera) > 0.0)
+      information -= transposed_product(cross, solve_symmetric(cv::Mat(of_camera), cross));
   }
   return information;
 }
@@ -177,21 +179,23 @@ double observation_rms_px(const ar::Lens& lens, const TagBundle& bundle, const T
 }
 
 std::vector<cv::Matx66d> tag_covariances(const TagBundle& bundle) {
-  const Eigen::MatrixXd information = tags_information(bundle);
-  const Eigen::Index n = information.rows() - 6;  // without the first tag's, which stays
+  const cv::Mat_<double> all = tags_information(bundle);
+  const int n = all.rows - 6;  // without the first tag's, which stays
   std::vector<cv::Matx66d> covariances(bundle.map_from_tag.size(), cv::Matx66d::zeros());
   if (n == 0) return covariances;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information.bottomRightCorner(n, n));
-  const double smallest = eigen.eigenvalues()(0);
-  const bool regular = smallest > 1e-12 * eigen.eigenvalues()(n - 1);
-  const Eigen::MatrixXd inverse =
-      regular ? Eigen::MatrixXd(eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() *
-                                eigen.eigenvectors().transpose())
-              : Eigen::MatrixXd::Identity(n, n) * std::numeric_limits<double>::infinity();
+  const cv::Range others(6, all.rows);
+  const SymmetricEigen eigen = symmetric_eigen(all(others, others).clone());
+  const bool regular = eigen.values(0) > 1e-12 * eigen.values(n - 1);
   for (std::size_t t = 1; t < covariances.size(); ++t) {
-    const auto at = static_cast<Eigen::Index>(6 * (t - 1));
+    const int at = static_cast<int>(6 * (t - 1));
     for (int r = 0; r < 6; ++r) {
-      for (int c = 0; c < 6; ++c) covariances[t](r, c) = inverse(at + r, at + c);
+      for (int c = 0; c < 6; ++c) {
+        double sum = regular || r != c ? 0.0 : std::numeric_limits<double>::infinity();
+        for (int k = 0; regular && k < n; ++k) {
+          sum += eigen.vectors(at + r, k) * eigen.vectors(at + c, k) / eigen.values(k);
+        }
+        covariances[t](r, c) = sum;
+      }
     }
   }
   return covariances;
