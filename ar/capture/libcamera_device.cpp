@@ -7,6 +7,7 @@ extern "C" {
 #include <libavutil/pixdesc.h>
 }
 
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
@@ -18,6 +19,8 @@ namespace ar::lc {
 namespace {
 
 namespace formats = libcamera::formats;
+
+constexpr unsigned kBuffers = 4;
 
 struct Named {
   libcamera::PixelFormat format;
@@ -50,6 +53,30 @@ std::shared_ptr<libcamera::CameraManager> camera_manager() {
   return manager;
 }
 
+std::shared_ptr<libcamera::Camera> find_camera(libcamera::CameraManager& manager, const std::string& id) {
+  const auto cameras = manager.cameras();
+  if (cameras.empty()) {
+    throw InputError(
+        "libcamera finds no camera\nPlug one in, see that you may use it (group video), or try --source v4l2:.");
+  }
+  if (id.empty()) return cameras.front();
+  if (auto camera = manager.get(id)) return camera;
+  throw InputError(
+      fmt::format("libcamera knows no camera {}\nPlug it in; `skyshaft live --list-cameras` lists what is here.", id));
+}
+
+void refuse(const libcamera::Camera& camera, const std::string& what, int error) {
+  if (error == -EBUSY) {
+    throw InputError(fmt::format("cannot use {}: another program is using it\nClose that program.", camera.id()));
+  }
+  throw InputError(fmt::format("cannot use {}: {}: {}\nPlug it in again, or try --source v4l2:.", camera.id(), what,
+                               std::strerror(-error)));
+}
+
+std::string name_of(const libcamera::Camera& camera) {
+  return camera.properties().get(libcamera::properties::Model).value_or(camera.id());
+}
+
 std::string v4l2_name(const libcamera::PixelFormat& format) {
   for (const Named& named : kNamed) {
     if (named.format == format) return named.name;
@@ -67,6 +94,33 @@ std::vector<CameraMode> modes_of(const libcamera::StreamConfiguration& stream) {
     }
   }
   return modes;
+}
+
+std::unique_ptr<libcamera::CameraConfiguration> configure(libcamera::Camera& camera, const LiveRequest& request) {
+  auto configuration = camera.generateConfiguration({libcamera::StreamRole::Viewfinder});
+  if (!configuration || configuration->empty()) refuse(camera, "no stream to view", -ENODEV);
+  libcamera::StreamConfiguration& stream = configuration->at(0);
+  const auto choice = choose_mode(modes_of(stream), request);
+  if (!choice) {
+    throw InputError(fmt::format("cannot use {}: it does not offer {}\nAsk for another format, or none.", camera.id(),
+                                 request.format ? *request.format : "a format that can be decoded here"));
+  }
+  for (const libcamera::PixelFormat& format : stream.formats().pixelformats()) {
+    if (v4l2_name(format) == choice->mode.format) stream.pixelFormat = format;
+  }
+  // Of sizes that change in steps libcamera lists a few, but takes more.
+  const bool sized = request.width && request.height;
+  stream.size = {static_cast<unsigned>(sized ? *request.width : choice->mode.width),
+                 static_cast<unsigned>(sized ? *request.height : choice->mode.height)};
+  stream.bufferCount = kBuffers;
+  if (configuration->validate() == libcamera::CameraConfiguration::Invalid) {
+    refuse(camera, "no valid configuration", -EINVAL);
+  }
+  if (!find_camera_format(v4l2_name(stream.pixelFormat))) {
+    refuse(camera, "its format " + stream.pixelFormat.toString() + " cannot be decoded", -EINVAL);
+  }
+  if (const int error = camera.configure(configuration.get()); error != 0) refuse(camera, "configure", error);
+  return configuration;
 }
 
 void tag_colors(const libcamera::ColorSpace& color, AVFrame& picture) {

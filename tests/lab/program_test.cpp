@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -57,43 +58,6 @@ double to_nearest_m(const Pose& pose, const std::map<int, Pose>& others) {
   return nearest_m;
 }
 
-class Program : public ::testing::Test {
- protected:
-  Program() { webcam_.hold_pictures(true); }
-
-  // Full quality from the start: no others are tried first, which would take the lab's machine half a minute.
-  static std::string arguments(const std::string& more) {
-    return fmt::format(
-        "live --headless --target-ms 0 --source v4l2:{} --scene {}.scene.yaml --camera {}.camera.yaml --overwrite {}",
-        await_node("uvcvideo"), lab_clip(), lab_clip(), more);
-  }
-
-  Webcam webcam_{unplugged({"program", kRate, {clip_pictures()}})};
-  std::map<int, Pose> offline_ = read_poses(lab_clip() + ".poses.csv");
-};
-
-TEST_F(Program, TracksTheWebcamAsProcessTracksTheSamePictures) {
-  RunningProgram program(arguments("--duration 9 --poses /tmp/live.csv"), "/tmp/live.log");
-  EXPECT_TRUE(program.waits());
-  webcam_.hold_pictures(false);
-  EXPECT_EQ(program.status(), 0) << program.log();
-  const std::map<int, Pose> live = read_poses("/tmp/live.csv");
-  ASSERT_EQ(offline_.size(), 30U);
-  double largest_m = 0.0;
-  int compared = 0;
-  for (const auto& [frame, pose] : live) {
-    const auto same = offline_.find(frame);
-    if (same == offline_.end()) continue;  // the webcam begins anew
-    ++compared;
-    largest_m = std::max(largest_m, distance_m(pose, same->second));
-  }
-  std::printf("%d poses, at most %.2f mm from those of process\n", compared, largest_m * 1e3);
-  EXPECT_GE(compared, 20) << "the lab's machine may drop a few";
-  // Where the tags are looked for, and so what is found to a fraction of a pixel, depends on the frames before and on
-  // their times.
-  EXPECT_LT(largest_m, kNearM);
-}
-
 // What a recording shows of a camera that went away and came back.
 struct Recording {
   int before = 0;
@@ -131,48 +95,92 @@ Recording watch(const std::string& path) {
   return recording;
 }
 
-TEST_F(Program, HoldsThePictureOfACameraThatIsPulledOutAndGoesOnWhenItIsBack) {
-  RunningProgram program(arguments("--poses /tmp/back.csv --record /tmp/back.mp4 --report /tmp/back.json"),
-                         "/tmp/back.log");
-  EXPECT_TRUE(program.waits());
-  webcam_.hold_pictures(false);
-  std::this_thread::sleep_for(4s);
-  webcam_.pull_out();
-  EXPECT_TRUE(program.says("the camera is gone; the last picture is held")) << program.log();
-  std::this_thread::sleep_for(2s);
-  webcam_.plug_in();
-  EXPECT_TRUE(program.says("back after")) << program.log();
-  std::this_thread::sleep_for(4s);
-  program.send(SIGINT);
-  EXPECT_EQ(program.status(), 130) << program.log();
+// Full quality from the start: no others are tried first, which would take the lab's machine half a minute.
+std::string arguments(const std::string& more) {
+  return fmt::format(
+      "live --headless --target-ms 0 --source v4l2:{} --scene {}.scene.yaml --camera {}.camera.yaml --overwrite {}",
+      await_node("uvcvideo"), lab_clip(), lab_clip(), more);
+}
 
-  const auto report = nlohmann::json::parse(std::ifstream("/tmp/back.json"));
+// One run for the tests below: the clip once and a little more, the camera pulled out and plugged in, Ctrl-C.
+class Program : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    Webcam webcam(unplugged({"program", kRate, {clip_pictures()}}));
+    webcam.hold_pictures(true);
+    RunningProgram program(arguments("--poses /tmp/live.csv --record /tmp/live.mp4 --report /tmp/live.json"),
+                           "/tmp/live.log");
+    EXPECT_TRUE(program.waits());
+    webcam.hold_pictures(false);
+    std::this_thread::sleep_for(9s);
+    webcam.pull_out();
+    EXPECT_TRUE(program.says("the camera is gone; the last picture is held"));
+    std::this_thread::sleep_for(2s);
+    webcam.plug_in();
+    EXPECT_TRUE(program.says("back after"));
+    std::this_thread::sleep_for(4s);
+    program.send(SIGINT);
+    EXPECT_EQ(program.status(), 130);
+    std::printf("%s", program.log().c_str());
+  }
+
+  std::map<int, Pose> offline_ = read_poses(lab_clip() + ".poses.csv");
+  std::map<int, Pose> live_ = read_poses("/tmp/live.csv");
+};
+
+TEST_F(Program, TracksTheWebcamAsProcessTracksTheSamePictures) {
+  ASSERT_EQ(offline_.size(), 30U);
+  double largest_m = 0.0;
+  int compared = 0;
+  for (const auto& [frame, pose] : live_) {
+    const auto same = offline_.find(frame);
+    if (same == offline_.end()) continue;  // the webcam begins anew
+    ++compared;
+    largest_m = std::max(largest_m, distance_m(pose, same->second));
+  }
+  std::printf("%d poses, at most %.2f mm from those of process\n", compared, largest_m * 1e3);
+  EXPECT_GE(compared, 20) << "the lab's machine may drop a few";
+  // Where the tags are looked for, and so what is found to a fraction of a pixel, depends on the frames before and on
+  // their times.
+  EXPECT_LT(largest_m, kNearM);
+}
+
+TEST_F(Program, HoldsThePictureOfACameraThatWasPulledOut) {
+  const auto report = nlohmann::json::parse(std::ifstream("/tmp/live.json"));
   EXPECT_EQ(report["losses"], 1);
   EXPECT_EQ(report["reconnections"], 1);
-  const Recording recording = watch("/tmp/back.mp4");
+  const Recording recording = watch("/tmp/live.mp4");
   EXPECT_EQ(recording.before + recording.held + recording.after, report["frames"]["recorded"]);
-  EXPECT_GE(recording.before, 4);
+  EXPECT_GE(recording.before, 20);
   EXPECT_EQ(recording.held, 1) << "once is enough: it lasts until the next";
   EXPECT_GE(recording.after, 4);
   EXPECT_GT(recording.held_for_s, 1.5);
-
-  const std::map<int, Pose> live = read_poses("/tmp/back.csv");
-  int after = 0;
-  double last_s = -1.0;
-  for (const auto& [frame, pose] : live) {
-    if (after > 0 || (last_s >= 0.0 && pose.time_s - last_s > 1.5)) ++after;
-    last_s = pose.time_s;
-    EXPECT_LT(to_nearest_m(pose, offline_), kNearM) << "frame " << frame;
-  }
-  EXPECT_GE(after, 4) << "tracked again\n" << program.log();
 }
 
-TEST_F(Program, EndsWithStatus3AndAFinishedRecordingWhereNobodyWantsToWait) {
+TEST_F(Program, TracksAgainWhenTheCameraIsBack) {
+  int after = 0;
+  double last_s = -1.0;
+  for (const auto& [frame, pose] : live_) {
+    if (after > 0 || (last_s >= 0.0 && pose.time_s - last_s > 1.5)) ++after;
+    last_s = pose.time_s;
+    if (after > 0) {
+      EXPECT_LT(to_nearest_m(pose, offline_), kNearM) << "frame " << frame;
+    }
+  }
+  EXPECT_GE(after, 4);
+}
+
+TEST(ProgramWithoutPatience, EndsWithStatus3AndAFinishedRecording) {
+  Webcam webcam(unplugged({"program", kRate, {clip_pictures()}}));
   RunningProgram program(arguments("--reconnect 0 --record /tmp/gone.mkv"), "/tmp/gone.log");
-  EXPECT_TRUE(program.waits());
-  webcam_.hold_pictures(false);
-  std::this_thread::sleep_for(4s);
-  webcam_.pull_out();
+  // Pulled out in mid-stream: once the recording has more than its header.
+  EXPECT_TRUE(eventually(
+      [] {
+        std::error_code none;
+        return std::filesystem::file_size("/tmp/gone.mkv", none) > 3000 && !none;
+      },
+      90s));
+  webcam.pull_out();
   EXPECT_EQ(program.status(), 3) << program.log();
   const std::string log = program.log();
   const std::size_t error = log.find("skyshaft: Lab webcam");
@@ -180,7 +188,7 @@ TEST_F(Program, EndsWithStatus3AndAFinishedRecordingWhereNobodyWantsToWait) {
   EXPECT_NE(log.find("the camera is gone\n", error), std::string::npos) << log;
   EXPECT_NE(log.find("--reconnect SECONDS", error), std::string::npos) << log;
   EXPECT_EQ(std::count(log.begin() + static_cast<std::ptrdiff_t>(error), log.end(), '\n'), 2) << log;
-  EXPECT_GE(watch("/tmp/gone.mkv").before, 4);
+  EXPECT_GE(watch("/tmp/gone.mkv").before, 1);
 }
 
 }  // namespace
