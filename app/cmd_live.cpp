@@ -7,6 +7,9 @@
 #include "app/commands.h"
 #include "app/error.h"
 #include "app/live/live.h"
+#include "app/options/camera.h"
+#include "app/options/encoder.h"
+#include "app/options/gl_device.h"
 #include "app/options/picture_size.h"
 #include "app/options/shafts.h"
 
@@ -21,7 +24,6 @@ struct LiveArguments {
   std::string gpsd;
   const CLI::Option* gpsd_option = nullptr;
   std::string shafts;
-  std::string codec = "h264";
 };
 
 void add_inputs(CLI::App& command, LiveArguments& arguments) {
@@ -42,15 +44,7 @@ void add_inputs(CLI::App& command, LiveArguments& arguments) {
   command.add_option("--control", arguments.controls,
                      "exposure (s), gain, focus or white-balance (K) =VALUE, =auto or =lock (stays as it is); may be "
                      "given again for others");
-  command.add_option("-c,--camera", options.camera.file,
-                     "Camera file: OpenCV, ROS camera_info or Kalibr camchain; default: --fov, no distortion");
-  command
-      .add_option("--fov", options.camera.fov_deg,
-                  "Horizontal field of view, degrees, instead of a camera file; default: 62 along the longer side")
-      ->check(CLI::Range(1.0, 179.0))
-      ->excludes("--camera");
-  command.add_flag("--scale-camera", options.camera.scale,
-                   "Accept a camera file for another resolution of the same aspect");
+  add_camera_options(command, options.camera);
   command.add_option("--at", options.at, "LAT,LON[,HEIGHT]: degrees north, degrees east, metres; default: the scene's");
   command.add_option("--time", options.time,
                      "Time of the first frame, 2024-06-21T07:30:00Z or with an offset; default: scene, clip, now");
@@ -81,15 +75,7 @@ void add_outputs(CLI::App& command, LiveArguments& arguments) {
   command.add_option("--poses", options.poses, "CSV of the camera's pose in every tracked frame");
   command.add_option("--report", options.report, "JSON of frame counts, latency and stage times");
   command.add_flag("--overwrite", options.sink.overwrite, "Replace files that exist");
-  command.add_option("--codec", arguments.codec, "Of --record: h264, hevc or ffv1 (lossless, .mkv); default: h264")
-      ->check(CLI::IsMember({"h264", "hevc", "ffv1"}));
-  command.add_option("--crf", options.sink.crf, "Quality of h264 and hevc, 0 (best) to 51; default: 18")
-      ->check(CLI::Range(0, 51));
-  command
-      .add_option("--preset", options.sink.preset,
-                  "x264's and x265's preset, ultrafast ... veryslow; default: ultrafast")
-      ->check(CLI::IsMember(
-          {"ultrafast", "superfast", "veryfast", "faster", "fast", "medium", "slow", "slower", "veryslow"}));
+  add_encoder_options(command, options.sink);
 }
 
 void add_rendering(CLI::App& command, LiveArguments& arguments) {
@@ -99,15 +85,7 @@ void add_rendering(CLI::App& command, LiveArguments& arguments) {
                   "Time that drawing a frame may take, milliseconds: quality is given up until it is kept; 0: full "
                   "quality, however long it takes; default: three quarters of the time between two frames")
       ->check(CLI::NonNegativeNumber);
-  command
-      .add_option("--egl-device", arguments.options.egl_device,
-                  "Number of the GL device as `skyshaft doctor` lists them; default: hardware first")
-      ->check(CLI::NonNegativeNumber);
-}
-
-ar::VideoCodec codec_of(const std::string& name) {
-  if (name == "hevc") return ar::VideoCodec::Hevc;
-  return name == "ffv1" ? ar::VideoCodec::Ffv1 : ar::VideoCodec::H264;
+  add_gl_device_option(command, arguments.options.egl_device);
 }
 
 ar::ControlSetting read_control(const std::string& text) {
@@ -132,7 +110,6 @@ int run(LiveArguments arguments, bool quiet) {
   }
   for (const std::string& control : arguments.controls) options.request.controls.push_back(read_control(control));
   if (!arguments.shafts.empty()) options.shafts = parse_shafts("--shafts", arguments.shafts);
-  options.sink.codec = codec_of(arguments.codec);
   options.quiet = quiet;
   return live(options);
 }

@@ -5,7 +5,10 @@
 
 #include "app/commands.h"
 #include "app/error.h"
+#include "app/options/camera.h"
+#include "app/options/encoder.h"
 #include "app/options/frame_range.h"
+#include "app/options/gl_device.h"
 #include "app/options/shafts.h"
 #include "app/process/process.h"
 
@@ -17,7 +20,6 @@ struct ProcessArguments {
   ProcessOptions options;
   std::string frames;
   std::string shafts;
-  std::string codec = "h264";
 };
 
 void add_inputs(CLI::App& command, ProcessArguments& arguments) {
@@ -25,15 +27,7 @@ void add_inputs(CLI::App& command, ProcessArguments& arguments) {
   command.add_option("IN", options.input, "Video file, or pictures: 'shot_%04d.png', 'shots/*.jpg', a folder")
       ->required();
   command.add_option("-s,--scene", options.scene, "Scene file (YAML)")->required();
-  command.add_option("-c,--camera", options.camera.file,
-                     "Camera file: OpenCV, ROS camera_info or Kalibr camchain; default: --fov, no distortion");
-  command
-      .add_option("--fov", options.camera.fov_deg,
-                  "Horizontal field of view, degrees, instead of a camera file; default: 62 along the longer side")
-      ->check(CLI::Range(1.0, 179.0))
-      ->excludes("--camera");
-  command.add_flag("--scale-camera", options.camera.scale,
-                   "Accept a camera file for another resolution of the same aspect");
+  add_camera_options(command, options.camera);
   command.add_option("--at", options.at,
                      "LAT,LON[,HEIGHT]: degrees north, degrees east, metres; default: scene, video");
   command.add_option("--time", options.time,
@@ -52,34 +46,18 @@ void add_outputs(CLI::App& command, ProcessArguments& arguments) {
   command.add_option("--poses", options.poses, "CSV of the camera's pose in every frame");
   command.add_option("--report", options.report, "JSON of frame counts, stage and pass times, settings");
   command.add_flag("--overwrite", options.sink.overwrite, "Replace files that exist");
-  command.add_option("--codec", arguments.codec, "h264, hevc or ffv1 (lossless); default: h264")
-      ->check(CLI::IsMember({"h264", "hevc", "ffv1"}));
-  command.add_option("--crf", options.sink.crf, "Quality of h264 and hevc, 0 (best) to 51; default: 18")
-      ->check(CLI::Range(0, 51));
-  command
-      .add_option("--preset", options.sink.preset, "x264's and x265's preset, ultrafast ... veryslow; default: medium")
-      ->check(CLI::IsMember(
-          {"ultrafast", "superfast", "veryfast", "faster", "fast", "medium", "slow", "slower", "veryslow"}));
+  add_encoder_options(command, options.sink);
 }
 
 void add_rendering(CLI::App& command, ProcessArguments& arguments) {
   command.add_option("--shafts", arguments.shafts, shafts_help());
-  command
-      .add_option("--egl-device", arguments.options.egl_device,
-                  "Number of the GL device as `skyshaft doctor` lists them; default: hardware first")
-      ->check(CLI::NonNegativeNumber);
-}
-
-ar::VideoCodec codec_of(const std::string& name) {
-  if (name == "hevc") return ar::VideoCodec::Hevc;
-  return name == "ffv1" ? ar::VideoCodec::Ffv1 : ar::VideoCodec::H264;
+  add_gl_device_option(command, arguments.options.egl_device);
 }
 
 int run(ProcessArguments arguments, bool quiet) {
   ProcessOptions& options = arguments.options;
   if (!arguments.frames.empty()) options.frames = parse_frame_range(arguments.frames);
   if (!arguments.shafts.empty()) options.shafts = parse_shafts("--shafts", arguments.shafts);
-  options.sink.codec = codec_of(arguments.codec);
   options.quiet = quiet;
   return process(options);
 }

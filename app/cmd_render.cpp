@@ -14,6 +14,7 @@
 #include "app/error.h"
 #include "app/exit_status.h"
 #include "app/median.h"
+#include "app/options/gl_device.h"
 #include "app/output_files.h"
 #include "app/still.h"
 #include "ar/error.h"
@@ -149,10 +150,7 @@ void add_render_command(CLI::App& app, Program& program) {
   command->add_flag(
       "--json", arguments->json,
       "What was done as JSON: times in milliseconds, and the shafts' error where they estimate their own");
-  command
-      ->add_option("--egl-device", arguments->egl_device,
-                   "Number of the GL device as `skyshaft doctor` lists them; default: hardware first")
-      ->check(CLI::NonNegativeNumber);
+  add_gl_device_option(*command, arguments->egl_device);
   command->footer(
       "Examples:\n"
       "  skyshaft render --scene barn.yaml -o barn.png --size 1920x1080\n"

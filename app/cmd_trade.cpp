@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/error.h"
 #include "app/exit_status.h"
+#include "app/options/gl_device.h"
 #include "app/options/shafts.h"
 #include "app/output_files.h"
 #include "app/still.h"
@@ -81,10 +82,7 @@ void add_trade_command(CLI::App& app, Program& program) {
                       "nothing hides. reference:sky=traced counts what hides the sky too, and is slow");
   command->add_option("--frames", arguments->options.frames, "Frames timed for each setting; default: 7")
       ->check(CLI::Range(1, 10000));
-  command
-      ->add_option("--egl-device", arguments->egl_device,
-                   "Number of the GL device as `skyshaft doctor` lists them; default: hardware first")
-      ->check(CLI::NonNegativeNumber);
+  add_gl_device_option(*command, arguments->egl_device);
   command->footer(
       "Examples:\n"
       "  skyshaft trade --scene gate.yaml -o gate-trade\n"
