@@ -12,6 +12,7 @@
 #include <functional>
 #include <future>
 #include <iterator>
+#include <optional>
 #include <thread>
 
 #include "desktop.h"
@@ -121,7 +122,7 @@ bool shows_post(const Screenshot& shot) {
 class Window : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    if (!Desktop::available()) GTEST_SKIP() << "there is no Xvfb (package xvfb)";
+    if (!Desktop::available()) return;
     folder_ = new Folder;
     const std::string clip = folder_->path("clip.mp4");
     const Result made = skyshaft({"synth", folder_->write("clip.yaml", kClip), "-o", clip});
@@ -133,19 +134,21 @@ class Window : public testing::Test {
   static void TearDownTestSuite() { delete folder_; }
 
   void SetUp() override {
+    if (!Desktop::available()) GTEST_SKIP() << "there is no Xvfb (package xvfb)";
+    desktop_.emplace(kScreenWidth, kScreenHeight);
     scene_ = folder_->write("scene.yaml", kScene);
     program_ = std::async(std::launch::async, [this] {
-      return run({"env", "-u", "WAYLAND_DISPLAY", "DISPLAY=" + desktop_.name(), SKYSHAFT_BINARY_DIR "/skyshaft", "live",
-                  "--source", "file:" + folder_->path("long.mp4"), "--scene", scene_, "--camera",
+      return run({"env", "-u", "WAYLAND_DISPLAY", "DISPLAY=" + desktop_->name(), SKYSHAFT_BINARY_DIR "/skyshaft",
+                  "live", "--source", "file:" + folder_->path("long.mp4"), "--scene", scene_, "--camera",
                   folder_->path("clip.camera.yaml"), "--target-ms", "0", "--stills", folder_->path("")},
                  Kill{SIGKILL, [this] { return hopeless_.load(); }});
     });
     const auto ended = [this] { return program_.wait_for(0s) == std::future_status::ready; };
-    ASSERT_TRUE(eventually([&] { return ended() || desktop_.has_window("Skyshaft: "); }));
+    ASSERT_TRUE(eventually([&] { return ended() || desktop_->has_window("Skyshaft: "); }));
     ASSERT_FALSE(ended()) << program_.get().err;
-    window_ = desktop_.take_window("Skyshaft: ");
+    window_ = desktop_->take_window("Skyshaft: ");
     EXPECT_TRUE(eventually([this] {
-      const Screenshot shot = desktop_.screenshot();
+      const Screenshot shot = desktop_->screenshot();
       return lit_part(shot) == Rectangle{0, 0, 640, 480} && shows_post(shot);
     })) << "the window, four times as large as the clip, with the post";
   }
@@ -159,7 +162,7 @@ class Window : public testing::Test {
   bool shows_in(const Rectangle& expected) {
     Rectangle found;
     const bool so = eventually([&] {
-      found = lit_part(desktop_.screenshot());
+      found = lit_part(desktop_->screenshot());
       return std::abs(found.x - expected.x) < 2 && std::abs(found.y - expected.y) < 2 &&
              std::abs(found.width - expected.width) < 3 && std::abs(found.height - expected.height) < 3;
     });
@@ -168,7 +171,7 @@ class Window : public testing::Test {
   }
 
   bool changes(const Screenshot& before, const Rectangle& in, double part) {
-    return eventually([&] { return difference(before, desktop_.screenshot(), in) > part; });
+    return eventually([&] { return difference(before, desktop_->screenshot(), in) > part; });
   }
 
   void expect_end() {
@@ -179,7 +182,7 @@ class Window : public testing::Test {
   }
 
   static Folder* folder_;
-  Desktop desktop_{kScreenWidth, kScreenHeight};
+  std::optional<Desktop> desktop_;
   std::string scene_;
   std::atomic<bool> hopeless_ = false;
   std::future<Result> program_;
@@ -189,19 +192,19 @@ class Window : public testing::Test {
 Folder* Window::folder_ = nullptr;
 
 TEST_F(Window, KeepsThePicturesShapeBetweenBlackBarsAndFillsTheScreen) {
-  desktop_.press("p");
-  desktop_.resize(window_, 300, 600);
+  desktop_->press("p");
+  desktop_->resize(window_, 300, 600);
   EXPECT_TRUE(shows_in({0, 188, 300, 225}));
-  desktop_.resize(window_, 900, 300);
+  desktop_->resize(window_, 900, 300);
   EXPECT_TRUE(shows_in({250, 0, 400, 300}));
-  const Rectangle before = desktop_.place_of(window_);
-  desktop_.press("f");
+  const Rectangle before = desktop_->place_of(window_);
+  desktop_->press("f");
   EXPECT_TRUE(shows_in({33, 0, 933, 700}));
-  EXPECT_EQ(desktop_.place_of(window_), (Rectangle{0, 0, kScreenWidth, kScreenHeight}));
-  desktop_.press("F11");
+  EXPECT_EQ(desktop_->place_of(window_), (Rectangle{0, 0, kScreenWidth, kScreenHeight}));
+  desktop_->press("F11");
   EXPECT_TRUE(shows_in({250, 0, 400, 300}));
-  EXPECT_EQ(desktop_.place_of(window_), before);
-  desktop_.ask_to_close(window_);
+  EXPECT_EQ(desktop_->place_of(window_), before);
+  desktop_->ask_to_close(window_);
   expect_end();
 }
 
@@ -213,16 +216,16 @@ constexpr int kHoursX = 60;
 constexpr int kHoursY = 173;
 
 TEST_F(Window, KeysShowThePanelAndHelpAndWriteAStill) {
-  const Screenshot with_panel = desktop_.screenshot();
-  desktop_.press("p");
+  const Screenshot with_panel = desktop_->screenshot();
+  desktop_->press("p");
   EXPECT_TRUE(changes(with_panel, kPanel, 0.5));
-  const Screenshot bare = desktop_.screenshot();
+  const Screenshot bare = desktop_->screenshot();
   EXPECT_LT(difference(with_panel, bare, kBesidePanel), 0.03) << "but for the edges of what moves";
-  desktop_.press("h");
+  desktop_->press("h");
   EXPECT_TRUE(changes(bare, kMiddle, 0.5)) << "the keys";
-  desktop_.press("h");
-  EXPECT_TRUE(eventually([&] { return difference(bare, desktop_.screenshot(), kMiddle) < 0.03; }));
-  desktop_.press("s");
+  desktop_->press("h");
+  EXPECT_TRUE(eventually([&] { return difference(bare, desktop_->screenshot(), kMiddle) < 0.03; }));
+  desktop_->press("s");
   std::string still;
   EXPECT_TRUE(eventually([&] {
     for (const std::string& name : folder_->names()) {
@@ -230,7 +233,7 @@ TEST_F(Window, KeysShowThePanelAndHelpAndWriteAStill) {
     }
     return !still.empty();
   }));
-  desktop_.press("q");
+  desktop_->press("q");
   expect_end();
   const Result probed =
       run({"ffprobe", "-v", "error", "-show_entries", "stream=width,height", "-of", "csv=p=0", still});
@@ -238,15 +241,15 @@ TEST_F(Window, KeysShowThePanelAndHelpAndWriteAStill) {
 }
 
 TEST_F(Window, TheSliderMovesTheSunAndTheChangeGoesIntoTheSceneFile) {
-  const Screenshot before = desktop_.screenshot();
-  desktop_.click(kHoursX, kHoursY);
+  const Screenshot before = desktop_->screenshot();
+  desktop_->click(kHoursX, kHoursY);
   EXPECT_TRUE(changes(before, kBesidePanel, 0.02)) << "another light on the post";
-  desktop_.press("w");
+  desktop_->press("w");
   EXPECT_TRUE(eventually([&] { return read_text(scene_).find("T10:00:00Z") == std::string::npos; }));
   const std::string scene = read_text(scene_);
   EXPECT_THAT(scene, HasSubstr("time: 2024-06-21T05:"));
   EXPECT_THAT(scene, HasSubstr("# a remark\nplace: { latitude: 48.86"));
-  desktop_.press("q");
+  desktop_->press("q");
   expect_end();
 }
 
