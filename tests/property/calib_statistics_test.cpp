@@ -23,7 +23,7 @@ constexpr double kNoisePx = 0.1;
 
 calib::testing::ViewSet view_set(int run) {
   calib::testing::ViewSet set;
-  set.views = 12;
+  set.views = 9;
   set.noise_px = kNoisePx;
   set.poses_seed = 11;
   set.noise_seed = 1000 + static_cast<std::uint64_t>(run);
