@@ -205,6 +205,14 @@ double Solution::sigma_of(int intrinsic) const {
   return std::sqrt(covariance(intrinsic, intrinsic));
 }
 
+std::vector<std::size_t> Solution::used_views() const {
+  std::vector<std::size_t> used;
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    if (views[v].any_used()) used.push_back(v);
+  }
+  return used;
+}
+
 std::optional<Solution> solve(const Board& board, const Sightings& sightings, const SolveOptions& options) {
   Bundle bundle = make_bundle(board, sightings, options);
   ar::CameraModel camera;

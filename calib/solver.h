@@ -52,6 +52,8 @@ struct Solution {
   double conditioning = 0.0;
 
   double sigma_of(int intrinsic) const;
+  // Views of which any corner is used.
+  std::vector<std::size_t> used_views() const;
 };
 
 // Least squares over all corners of all views: finds starting values, bounds the influence of corners that do not fit

@@ -1,12 +1,8 @@
 #include "calib/tag_mapper.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -14,178 +10,19 @@
 #include "ar/track/lens.h"
 #include "ar/track/solve.h"
 #include "calib/tag_bundle.h"
+#include "calib/tag_chain.h"
 
 namespace calib {
 namespace {
 
-constexpr std::size_t kPairPictures = 8;  // of a pair of tags, that decide how they stand to each other
 constexpr double kRobustPx = 1.0;
 
-class Mapper {
- public:
-  Mapper(const ar::CameraModel& camera, const std::string& family, const std::vector<TagPicture>& pictures,
-         const MapperOptions& options)
-      : camera_(camera), lens_(camera), family_(family), options_(options) {
-    for (const TagPicture& picture : pictures) {
-      std::map<int, int> times;
-      for (const ar::Detection& d : picture.detections) times[d.id] += d.family == family ? 1 : 0;
-      std::vector<ar::Detection> once;
-      for (const ar::Detection& d : picture.detections) {
-        if (d.family == family && times[d.id] == 1) once.push_back(d);
-      }
-      if (!once.empty()) pictures_.push_back(std::move(once));
-    }
-    for (std::size_t p = 0; p < pictures_.size(); ++p) {
-      for (const ar::Detection& d : pictures_[p]) pictures_of_[d.id].push_back(p);
-    }
-  }
-
-  MapResult run();
-
- private:
-  double size_of(int id) const {
-    const auto own = options_.own_sizes_m.find(id);
-    return own != options_.own_sizes_m.end() ? own->second : options_.tag_size_m;
-  }
-  ar::TagMap map_of(const std::map<int, ar::Rigid3>& poses) const;
-  int origin() const;
-  std::vector<std::vector<int>> groups() const;
-  std::vector<std::size_t> shared(int a, int b) const;
-  std::optional<ar::Rigid3> pair_pose(int a, int b) const;
-  std::map<int, ar::Rigid3> chained(int origin, const std::vector<int>& group) const;
-  TagBundle make_bundle(const std::map<int, ar::Rigid3>& poses, int origin, std::vector<int>& ids) const;
-  void straighten(TagBundle& bundle, const std::vector<int>& ids) const;
-  const ar::Detection& detection(std::size_t picture, int id) const;
-
-  ar::CameraModel camera_;
-  ar::Lens lens_;
-  std::string family_;
-  MapperOptions options_;
-  std::vector<std::vector<ar::Detection>> pictures_;
-  std::map<int, std::vector<std::size_t>> pictures_of_;
-};
-
-ar::TagMap Mapper::map_of(const std::map<int, ar::Rigid3>& poses) const {
-  ar::TagMap map;
-  map.family = family_;
-  for (const auto& [id, pose] : poses) map.tags[id] = {pose, size_of(id)};
-  return map;
-}
-
-int Mapper::origin() const {
-  if (options_.origin) {
-    if (pictures_of_.contains(*options_.origin)) return *options_.origin;
-    std::vector<int> seen;
-    for (const auto& [id, pictures] : pictures_of_) seen.push_back(id);
-    throw std::runtime_error(
-        fmt::format("tag {} is not in the pictures\nseen: {}", *options_.origin, fmt::join(seen, ", ")));
-  }
-  const auto fewer = [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); };
-  return std::max_element(pictures_of_.begin(), pictures_of_.end(), fewer)->first;
-}
-
-// Tags that pictures connect, directly or through others.
-std::vector<std::vector<int>> Mapper::groups() const {
-  std::map<int, int> group_of;
-  for (const auto& [id, pictures] : pictures_of_) group_of[id] = id;
-  for (const auto& picture : pictures_) {
-    for (const ar::Detection& d : picture) {
-      const int from = group_of[d.id];
-      const int to = group_of[picture.front().id];
-      for (auto& [id, group] : group_of) group = group == from ? to : group;
-    }
-  }
-  std::map<int, std::vector<int>> members;
-  for (const auto& [id, group] : group_of) members[group].push_back(id);
-  std::vector<std::vector<int>> out;
-  for (auto& [group, ids] : members) out.push_back(std::move(ids));
-  return out;
-}
-
-std::vector<std::size_t> Mapper::shared(int a, int b) const {
-  std::vector<std::size_t> both;
-  std::set_intersection(pictures_of_.at(a).begin(), pictures_of_.at(a).end(), pictures_of_.at(b).begin(),
-                        pictures_of_.at(b).end(), std::back_inserter(both));
-  return both;
-}
-
-const ar::Detection& Mapper::detection(std::size_t picture, int id) const {
-  return *std::find_if(pictures_[picture].begin(), pictures_[picture].end(),
-                       [&](const ar::Detection& d) { return d.id == id; });
-}
-
-// How b stands to a. Each square alone allows two poses, a pair up to four ways a picture: the way counts that explains
-// all pictures of the pair best.
-std::optional<ar::Rigid3> Mapper::pair_pose(int a, int b) const {
-  std::vector<std::size_t> pictures = shared(a, b);
-  if (pictures.size() > kPairPictures) {
-    // Those from the most different places: evenly through the recording.
-    std::vector<std::size_t> some;
-    for (std::size_t i = 0; i < kPairPictures; ++i) some.push_back(pictures[i * pictures.size() / kPairPictures]);
-    pictures = some;
-  }
-  std::vector<ar::Rigid3> ways;
-  for (std::size_t p : pictures) {
-    auto alone = [&](int id) {
-      auto tags = ar::seen_tags(lens_, map_of({{id, ar::Rigid3{}}}), {detection(p, id)});
-      std::vector<ar::Rigid3> tag_from_camera;
-      for (const ar::PoseFit& fit : ar::solve_pose(lens_, tags, std::nullopt)) {
-        tag_from_camera.push_back(fit.world_from_camera);
-      }
-      return tag_from_camera;
-    };
-    for (const ar::Rigid3& a_from_camera : alone(a)) {
-      for (const ar::Rigid3& b_from_camera : alone(b)) ways.push_back(a_from_camera * b_from_camera.inverse());
-    }
-  }
-  std::optional<ar::Rigid3> best;
-  double best_cost = std::numeric_limits<double>::infinity();
-  for (const ar::Rigid3& a_from_b : ways) {
-    const ar::TagMap map = map_of({{a, ar::Rigid3{}}, {b, a_from_b}});
-    double cost = 0.0;
-    for (std::size_t p : pictures) {
-      auto tags = ar::seen_tags(lens_, map, {detection(p, a), detection(p, b)});
-      const auto fits = ar::solve_pose(lens_, tags, std::nullopt);
-      cost += fits.empty() ? 100.0 : std::min(100.0, fits.front().cost);
-      if (cost >= best_cost) break;
-    }
-    if (cost >= best_cost) continue;
-    best_cost = cost;
-    best = a_from_b;
-  }
-  return best;
-}
-
-// Tag after tag, each from the one already placed that shares most pictures with it.
-std::map<int, ar::Rigid3> Mapper::chained(int origin, const std::vector<int>& group) const {
-  std::map<int, ar::Rigid3> placed{{origin, ar::Rigid3{}}};
-  std::set<std::pair<int, int>> useless;
-  while (placed.size() < group.size()) {
-    std::size_t most = 0;
-    std::pair<int, int> next{0, 0};
-    for (const auto& [from, pose] : placed) {
-      for (int to : group) {
-        if (placed.contains(to) || useless.contains({from, to})) continue;
-        const std::size_t count = shared(from, to).size();
-        if (count <= most) continue;
-        most = count;
-        next = {from, to};
-      }
-    }
-    if (most == 0) break;
-    const auto from_to = pair_pose(next.first, next.second);
-    if (!from_to) {
-      useless.insert(next);
-      continue;
-    }
-    placed[next.second] = placed[next.first] * *from_to;
-  }
-  return placed;
-}
-
-TagBundle Mapper::make_bundle(const std::map<int, ar::Rigid3>& poses, int origin, std::vector<int>& ids) const {
+// All tags and cameras at those poses; `ids` receives the tags', the origin's first.
+TagBundle make_bundle(const ar::CameraModel& camera, const TagSightings& sightings,
+                      const std::map<int, ar::Rigid3>& poses, int origin, std::vector<int>& ids) {
+  const ar::Lens lens(camera);
   TagBundle bundle;
-  bundle.lens = camera_;
+  bundle.lens = camera;
   ids = {origin};
   for (const auto& [id, pose] : poses) {
     if (id != origin) ids.push_back(id);
@@ -193,14 +30,14 @@ TagBundle Mapper::make_bundle(const std::map<int, ar::Rigid3>& poses, int origin
   std::map<int, std::size_t> index_of;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     index_of[ids[i]] = i;
-    bundle.tag_size_m.push_back(size_of(ids[i]));
+    bundle.tag_size_m.push_back(sightings.size_of(ids[i]));
     bundle.map_from_tag.push_back(poses.at(ids[i]));
   }
-  const ar::TagMap map = map_of(poses);
-  for (const auto& picture : pictures_) {
-    auto tags = ar::seen_tags(lens_, map, picture);
+  const ar::TagMap map = sightings.map_of(poses);
+  for (const auto& picture : sightings.pictures()) {
+    auto tags = ar::seen_tags(lens, map, picture);
     if (tags.empty()) continue;
-    const auto fits = ar::solve_pose(lens_, tags, std::nullopt);
+    const auto fits = ar::solve_pose(lens, tags, std::nullopt);
     if (fits.empty()) continue;
     for (const ar::SeenTag& tag : tags) {
       bundle.observations.push_back({bundle.map_from_camera.size(), index_of.at(tag.id), tag.measured_px, true});
@@ -211,16 +48,16 @@ TagBundle Mapper::make_bundle(const std::map<int, ar::Rigid3>& poses, int origin
 }
 
 // `px` of the observations from the measured corners, for the poses as they now are.
-void Mapper::straighten(TagBundle& bundle, const std::vector<int>& ids) const {
-  if (!lens_.bends_lines()) return;
+void straighten(TagBundle& bundle) {
+  const ar::Lens lens(bundle.lens);
+  if (!lens.bends_lines()) return;
   for (TagObservation& seen : bundle.observations) {
     ar::SeenTag tag;
-    tag.id = ids[seen.tag];
     tag.measured_px = seen.px;
     const auto in_tag = ar::corners_in_tag(bundle.tag_size_m[seen.tag]);
     for (std::size_t i = 0; i < 4; ++i) tag.corners_in_world[i] = bundle.map_from_tag[seen.tag] * in_tag[i];
     tag.corners_px = seen.px;
-    ar::straighten(lens_, bundle.map_from_camera[seen.camera], tag);
+    ar::straighten(lens, bundle.map_from_camera[seen.camera], tag);
     seen.px = tag.corners_px;
   }
 }
@@ -278,14 +115,15 @@ void describe(const TagBundle& bundle, const std::vector<int>& ids, MapResult& o
   }
 }
 
-MapResult Mapper::run() {
-  if (pictures_of_.empty()) {
-    throw std::runtime_error(fmt::format("no {} tags in the pictures\nis it the right --family?", family_));
-  }
+}  // namespace
+
+MapResult map_tags(const ar::CameraModel& camera, const std::string& family, const std::vector<TagPicture>& pictures,
+                   const MapperOptions& options) {
+  const TagSightings sightings(camera, family, pictures, options);
   MapResult out;
-  out.origin = origin();
+  out.origin = sightings.origin();
   std::vector<int> group;
-  for (std::vector<int>& ids : groups()) {
+  for (std::vector<int>& ids : sightings.groups()) {
     const bool ours = std::find(ids.begin(), ids.end(), out.origin) != ids.end();
     if (ours) {
       group = std::move(ids);
@@ -294,13 +132,13 @@ MapResult Mapper::run() {
     }
   }
   std::vector<int> ids;
-  TagBundle bundle = make_bundle(chained(out.origin, group), out.origin, ids);
+  TagBundle bundle = make_bundle(camera, sightings, sightings.chained(out.origin, group), out.origin, ids);
   // Wrong starts of single pictures must not bend the map: from far to near.
   bool fine = minimise(bundle, 10.0 * kRobustPx) && minimise(bundle, kRobustPx);
   std::map<int, ar::Rigid3> poses;
   for (std::size_t i = 0; i < ids.size(); ++i) poses[ids[i]] = bundle.map_from_tag[i];
-  bundle = make_bundle(poses, out.origin, ids);  // each camera's pose anew from all its tags
-  straighten(bundle, ids);
+  bundle = make_bundle(camera, sightings, poses, out.origin, ids);  // each camera's pose anew from all its tags
+  straighten(bundle);
   fine = fine && minimise(bundle, kRobustPx);
   for (int round = 0; fine && round < 4; ++round) {
     const bool changed = choose_used(bundle);
@@ -309,16 +147,9 @@ MapResult Mapper::run() {
   }
   if (!fine) throw std::runtime_error("the tags' places do not come out\nis the camera file that of the recording?");
   for (std::size_t i = 0; i < ids.size(); ++i) poses[ids[i]] = bundle.map_from_tag[i];
-  out.map = map_of(poses);
+  out.map = sightings.map_of(poses);
   describe(bundle, ids, out);
   return out;
-}
-
-}  // namespace
-
-MapResult map_tags(const ar::CameraModel& camera, const std::string& family, const std::vector<TagPicture>& pictures,
-                   const MapperOptions& options) {
-  return Mapper(camera, family, pictures, options).run();
 }
 
 }  // namespace calib

@@ -5,6 +5,7 @@
 
 #include "app/calibration/gather.h"
 #include "calib/camera_file.h"
+#include "calib/cross_validation.h"
 #include "calib/judge.h"
 
 namespace app {

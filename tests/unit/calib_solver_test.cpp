@@ -9,6 +9,7 @@
 #include "ar/track/lens.h"
 #include "calib/board_check.h"
 #include "calib/corner_error.h"
+#include "calib/cross_validation.h"
 #include "calib/judge.h"
 #include "calib/solver.h"
 #include "calib/view_choice.h"
