@@ -116,7 +116,7 @@ Information invert(const cv::Mat_<double>& shared, int n) {
   // Offsets are left free first; their prior keeps that block regular.
   cv::Mat_<double> information = shared(cv::Range(0, n), cv::Range(0, n)).clone();
   const cv::Range rest(n, shared.rows);
-  if (rest.size() > 0) {
+  if (!rest.empty()) {
     const cv::Mat_<double> mixed = shared(rest, cv::Range(0, n));
     information -= transposed_product(mixed, solve_symmetric(shared(rest, rest), mixed));
   }

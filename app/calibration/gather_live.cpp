@@ -38,8 +38,7 @@ class Teller {
   void heed(calib::FrameUse use, const calib::ViewCollector& collector) {
     if (use == calib::FrameUse::Taken) {
       spdlog::info("view {} taken: {}", collector.taken().size(), calib::words_of(collector.last_held()));
-      spdlog::info("covered: {}; a direction will be known to about {:.2f} px", coverage_words(collector.coverage()),
-                   collector.expected_sigma_px());
+      spdlog::info("covered: {}", coverage_words(collector.coverage()));
       if (!collector.enough()) ask(collector);
     } else if (LiveClock::now() - told_ > kRemindEvery) {
       spdlog::info("{}", calib::to_string(use));

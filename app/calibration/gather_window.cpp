@@ -15,12 +15,13 @@
 namespace app {
 namespace {
 
-constexpr int kFlashFrames = 12;
+constexpr std::size_t kTelling = 3;  // views before which nothing is known about the camera
+constexpr int kFlashFrames = 5;
 constexpr ImU32 kCovered = IM_COL32(60, 200, 90, 60);
 constexpr ImU32 kAsked = IM_COL32(255, 210, 60, 255);
 constexpr ImU32 kStill = IM_COL32(80, 255, 120, 255);
 constexpr ImU32 kMoving = IM_COL32(255, 120, 80, 255);
-constexpr ImU32 kTakenFlash = IM_COL32(255, 255, 255, 110);
+constexpr ImU32 kTakenFlash = IM_COL32(255, 255, 255, 90);
 constexpr std::array kTiltNames{"facing", "left nearer", "right nearer", "top nearer", "bottom nearer"};
 constexpr std::array kReachNames{"near", "middle", "far"};
 
@@ -53,7 +54,9 @@ void draw_panel(const calib::ViewCollector& collector, calib::FrameUse use, cons
   for (std::size_t i = 0; i < kTiltNames.size(); ++i) draw_count(kTiltNames.at(i), coverage.tilts.at(i));
   ImGui::TextUnformatted("distances:");
   for (std::size_t i = 0; i < kReachNames.size(); ++i) draw_count(kReachNames.at(i), coverage.reaches.at(i));
-  ImGui::Text("a direction will be known to about %.2f px", collector.expected_sigma_px());
+  if (collector.taken().size() >= kTelling) {
+    ImGui::Text("a direction will be known to about %.2f px", collector.expected_sigma_px());
+  }
   ImGui::TextUnformatted("Backspace: without the last view   Enter: enough, solve   f: full screen");
   ImGui::End();
 }
@@ -118,7 +121,8 @@ GatherWish GatherWindow::show(const calib::ViewCollector& collector, const calib
     if (key == GLFW_KEY_BACKSPACE) wish = GatherWish::DropLast;
     if (key == GLFW_KEY_F || key == GLFW_KEY_F11) window_.set_full_screen(!window_.full_screen());
   }
-  if (use == calib::FrameUse::Taken) flash_ = kFlashFrames;
+  if (collector.taken().size() > views_) flash_ = kFlashFrames;
+  views_ = collector.taken().size();
   draw_coverage(collector.coverage());
   draw_asked(collector.next_px());
   draw_points(seen, use);

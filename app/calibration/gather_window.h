@@ -32,7 +32,8 @@ class GatherWindow {
 
   DesktopWindow window_;
   ar::FramePool pool_;
-  int flash_ = 0;  // frames that are left of telling that a view was taken
+  std::size_t views_ = 0;  // that were taken when it was last shown
+  int flash_ = 0;          // frames that are left of telling that a view was taken
 };
 
 }  // namespace app

@@ -108,8 +108,11 @@ TEST(Calibrate, RejectsOneViewAndWritesItOnlyWhenTold) {
   EXPECT_EQ(result.status, 4);
   EXPECT_THAT(result.err, HasSubstr("one view only"));
   EXPECT_TRUE(folder.names().empty());
+  EXPECT_THAT(result.err, HasSubstr("c.yaml was not written: --accept writes it all the same (the status stays 4)"));
   arguments.emplace_back("--accept");
-  EXPECT_EQ(cli::skyshaft(arguments).status, 4);
+  const cli::Result accepted = cli::skyshaft(arguments);
+  EXPECT_EQ(accepted.status, 4);
+  EXPECT_THAT(accepted.err, HasSubstr("c.yaml was written all the same, because of --accept; the status stays 4"));
   EXPECT_EQ(folder.names().size(), 1U);
 }
 
