@@ -18,6 +18,8 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
+constexpr const char* kProgram = SKYSHAFT_BINARY_DIR "/skyshaft";
+
 // Ten frames a second of so few pixels that no machine has to drop any.
 constexpr const char* kClip = R"(skyshaft_synth: 1
 size: [256, 192]
@@ -180,8 +182,8 @@ TEST_F(Live, WhatIsNotUnderstoodIsRefused) {
 TEST_F(Live, WithoutADisplayOrAGpuItSaysWhatToDo) {
   const auto in = [](std::vector<std::string> command, const std::vector<std::string>& more) {
     command.insert(command.begin(), {"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY"});
-    command.insert(command.end(), {SKYSHAFT_BINARY_DIR "/skyshaft", "live", "--source", "file:" + clip_, "--scene",
-                                   scene_, "--camera", folder_->path("clip.camera.yaml")});
+    command.insert(command.end(), {kProgram, "live", "--source", "file:" + clip_, "--scene", scene_, "--camera",
+                                   folder_->path("clip.camera.yaml")});
     command.insert(command.end(), more.begin(), more.end());
     return run(command);
   };
@@ -194,8 +196,7 @@ TEST_F(Live, WithoutPermissionItSaysHowToGetIt) {
   const std::string node = folder_->write("node", "");
   std::filesystem::permissions(node, std::filesystem::perms::none);
   std::filesystem::permissions(folder_->path(""), std::filesystem::perms{0755});
-  std::vector<std::string> command{
-      SKYSHAFT_BINARY_DIR "/skyshaft", "live", "--headless", "--source", "v4l2:" + node, "--scene", scene_};
+  std::vector<std::string> command{kProgram, "live", "--headless", "--source", "v4l2:" + node, "--scene", scene_};
   // Nothing is forbidden to root.
   const std::vector<std::string> nobody{"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"};
   if (geteuid() == 0) {

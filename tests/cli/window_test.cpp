@@ -24,6 +24,7 @@ namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
+constexpr const char* kProgram = SKYSHAFT_BINARY_DIR "/skyshaft";
 constexpr int kScreenWidth = 1000;
 constexpr int kScreenHeight = 700;
 
@@ -138,9 +139,9 @@ class Window : public testing::Test {
     desktop_.emplace(kScreenWidth, kScreenHeight);
     scene_ = folder_->write("scene.yaml", kScene);
     program_ = std::async(std::launch::async, [this] {
-      return run({"env", "-u", "WAYLAND_DISPLAY", "DISPLAY=" + desktop_->name(), SKYSHAFT_BINARY_DIR "/skyshaft",
-                  "live", "--source", "file:" + folder_->path("long.mp4"), "--scene", scene_, "--camera",
-                  folder_->path("clip.camera.yaml"), "--target-ms", "0", "--stills", folder_->path("")},
+      return run({"env", "-u", "WAYLAND_DISPLAY", "DISPLAY=" + desktop_->name(), kProgram, "live", "--source",
+                  "file:" + folder_->path("long.mp4"), "--scene", scene_, "--camera", folder_->path("clip.camera.yaml"),
+                  "--target-ms", "0", "--stills", folder_->path("")},
                  Kill{SIGKILL, [this] { return hopeless_.load(); }});
     });
     const auto ended = [this] { return program_.wait_for(0s) == std::future_status::ready; };

@@ -14,6 +14,12 @@
 #include "tests/lab/lab.h"
 
 namespace ar::testing {
+namespace {
+
+// In two seconds of doing nothing but looking for a frame now and then, on the lab's slow processors.
+constexpr long kIdleTicks = 20;
+
+}  // namespace
 
 RunningProgram::RunningProgram(const std::string& arguments, std::string log, const std::string& through)
     : log_(std::move(log)), process_(fork()) {
@@ -44,9 +50,9 @@ bool RunningProgram::waits() const {
   return eventually(
       [&] {
         std::this_thread::sleep_for(2s);
-        return std::exchange(used, used_ticks()) + 5 > used;
+        return std::exchange(used, used_ticks()) + kIdleTicks > used;
       },
-      90s);
+      150s);
 }
 
 bool RunningProgram::says(const std::string& words) const {

@@ -17,7 +17,7 @@ class RunningProgram {
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;
 
-  // Waits until it does nothing for two seconds: all is set up and it waits for its first frame. At most 90 s.
+  // Waits until it does nothing for two seconds: all is set up and it waits for its first frame. At most 150 s.
   bool waits() const;
   // Waits until it has said that, at most 30 s.
   bool says(const std::string& words) const;
