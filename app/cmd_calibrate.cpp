@@ -132,6 +132,9 @@ void complete_live_options(CalibrateArguments& arguments) {
   if (live.source.empty() && arguments.gather.inputs.empty()) {
     throw UsageError("give pictures, recordings, or --live SOURCE\nsee: skyshaft calibrate --help");
   }
+  if (!live.source.empty() && !arguments.gather.corners_cache.empty()) {
+    throw UsageError("--corners-cache is for pictures and recordings\nleave it out with --live");
+  }
   live.most_views = arguments.gather.most_views;
   if (arguments.live_size.empty()) return;
   const PictureSize size = parse_picture_size("--size", arguments.live_size);

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -57,7 +57,7 @@ class Film : public ::testing::Test {
         {0, 0, Tilt::BottomNearer, Reach::Middle}};
     std::vector<Stay> stays;
     for (const HeldView& view : views) stays.push_back({.camera_from_board = pose_held(grid, camera, view)});
-    for (std::size_t shaky : {5U, 7U}) stays[shaky].shake_px = 10.0;  // 250 px/s at its fastest
+    for (const std::size_t shaky : {5U, 7U}) stays[shaky].shake_px = 10.0;  // 250 px/s at its fastest
     film_board(clip_, grid, camera, stays, {});
   }
   static void TearDownTestSuite() { delete folder_; }
@@ -102,6 +102,40 @@ TEST_F(Film, PlayedLiveIsCalibratedFromViewsThatWereHeldStill) {
   EXPECT_THAT(result.err, HasSubstr("hold the board in the"));
   EXPECT_THAT(result.err, HasSubstr("view 1 taken: in the middle, facing the camera, near"));
   EXPECT_THAT(result.err, HasSubstr("% of the picture"));
+}
+
+// "the board in 40 of 52 pictures": 52.
+int pictures_in(const std::string& out) {
+  const std::size_t at = out.find(" of ", out.find("the board in "));
+  return at == std::string::npos ? -1 : std::stoi(out.substr(at + 4));
+}
+
+TEST_F(Film, CtrlCSolvesWithTheViewsSoFar) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto later = [start] { return std::chrono::steady_clock::now() - start > std::chrono::seconds(4); };
+  const cli::Result result =
+      cli::skyshaft({"calibrate", "--live", "file:" + clip_, "--headless", "--board", kBoard, "--lens", "pinhole"},
+                    cli::Kill{SIGINT, later});
+  EXPECT_EQ(result.status, 4) << "few views are not enough; " << result.err;
+  EXPECT_THAT(result.out, HasSubstr("verdict      rejected"));
+  EXPECT_GT(pictures_in(result.out), 5);
+  EXPECT_LT(pictures_in(result.out), 100);
+}
+
+TEST_F(Film, EnterInTheWindowSolvesWithTheViewsSoFar) {
+  if (cli::run({"sh", "-c", "command -v xvfb-run && command -v xdotool"}).status != 0) {
+    GTEST_SKIP() << "xvfb and xdotool are not installed";
+  }
+  const std::string hand = folder_->write(
+      "hand.sh",
+      "timeout 20 xdotool search --sync --onlyvisible --name 'Skyshaft: calibrating'\nsleep 4\nxdotool key Return\n");
+  const std::string session = folder_->write(
+      "session.sh", "sh " + hand + " >&2 &\ntimeout 40 " SKYSHAFT_BINARY_DIR "/skyshaft calibrate --live file:" +
+                        clip_ + " --board " + kBoard + " --lens pinhole\nstatus=$?\nwait\nexit $status\n");
+  const cli::Result result = cli::run({"xvfb-run", "-a", "-s", "-screen 0 1024x768x24", "sh", session});
+  EXPECT_EQ(result.status, 4) << result.err;
+  EXPECT_GT(pictures_in(result.out), 5);
+  EXPECT_LT(pictures_in(result.out), 100);
 }
 
 TEST_F(Film, LiveWithoutADisplaySaysWhatToDo) {
