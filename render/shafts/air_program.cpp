@@ -3,9 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace render {
 namespace {
+
+// A shader's variant.
+enum : int { kBounded = 1, kFalloff = 2, kNoDepth = 4, kDivided = 8, kVirtualCasters = 16, kRealCasters = 32 };
+
+// Texture units of the shadow maps, compared and plain, and of their bounds.
+constexpr std::array<std::pair<Casters, int>, 2> kMapUnits{{{Casters::Virtual, 2}, {Casters::Real, 5}}};
 
 int phase_kind(PhaseFunction function) {
   switch (function) {
@@ -71,24 +78,52 @@ void set_view(const gl::Program& program, const ShaftInputs& inputs, const glm::
 
 }  // namespace
 
-const gl::Program& AirProgram::use(const ShaftInputs& inputs, const glm::ivec2& size_px) {
+int AirProgram::variant_of(const ShaftInputs& inputs, const glm::ivec2& size_px) const {
   const Medium& medium = *inputs.scene.medium;
-  const int key = (medium.extent ? 1 : 0) + (medium.falloff ? 2 : 0) + (inputs.depth == 0 ? 4 : 0) +
-                  (size_px.x < inputs.view.width ? 8 : 0);
-  auto found = variants_.find(key);
+  const auto cast = [&](Casters kind) { return sun_disc_ && !inputs.shadow.map(kind).fit.empty; };
+  return (medium.extent ? kBounded : 0) | (medium.falloff ? kFalloff : 0) | (inputs.depth == 0 ? kNoDepth : 0) |
+         (size_px.x < inputs.view.width ? kDivided : 0) | (cast(Casters::Virtual) ? kVirtualCasters : 0) |
+         (cast(Casters::Real) ? kRealCasters : 0);
+}
+
+gl::Defines AirProgram::defines_of(int variant) const {
+  gl::Defines defines = defines_;
+  if ((variant & kBounded) != 0) defines.push_back({"BOUNDED"});
+  if ((variant & kFalloff) != 0) defines.push_back({"FALLOFF"});
+  if ((variant & kNoDepth) != 0) defines.push_back({"NO_DEPTH"});
+  if ((variant & kDivided) != 0) defines.push_back({"DIVIDED"});
+  if (!sun_disc_) return defines;
+  defines.insert(defines.end(), {{"SUN_DISC", ""}, {"BLOCKER_TAPS", "8"}, {"FILTER_TAPS", "16"}});
+  if ((variant & kVirtualCasters) != 0) defines.push_back({"VIRTUAL_CASTERS"});
+  if ((variant & kRealCasters) != 0) defines.push_back({"REAL_CASTERS"});
+  return defines;
+}
+
+void AirProgram::set_sun_disc(const gl::Program& program, const ShaftInputs& inputs) const {
+  program.set("sun_disc_slope", static_cast<float>(std::tan(inputs.scene.sun.angular_radius_rad)));
+  for (const auto& [kind, unit] : kMapUnits) {
+    inputs.shadow.bind(kind, inputs.view, program, unit);
+    inputs.shadow.bind_bounds(kind, program, unit + 2);
+  }
+}
+
+const gl::Program& AirProgram::use(const ShaftInputs& inputs, const glm::ivec2& size_px) {
+  const int variant = variant_of(inputs, size_px);
+  auto found = variants_.find(variant);
   if (found == variants_.end()) {
-    gl::Defines defines = defines_;
-    if (medium.extent) defines.push_back({"BOUNDED"});
-    if (medium.falloff) defines.push_back({"FALLOFF"});
-    if (inputs.depth == 0) defines.push_back({"NO_DEPTH"});
-    if (size_px.x < inputs.view.width) defines.push_back({"DIVIDED"});
-    found = variants_.emplace(key, gl::Program("lib/full_screen.vert", path_, defines)).first;
+    found = variants_.emplace(variant, gl::Program("lib/full_screen.vert", path_, defines_of(variant))).first;
   }
   found->second.use();
   set_view(found->second, inputs, size_px);
   set_medium(found->second, inputs);
   set_light(found->second, inputs.scene);
+  if (sun_disc_) set_sun_disc(found->second, inputs);
   return found->second;
+}
+
+void AirProgram::release() const {
+  if (!sun_disc_) return;
+  for (const auto& [kind, unit] : kMapUnits) SunShadow::unbind(unit);
 }
 
 }  // namespace render

@@ -12,15 +12,23 @@ namespace render {
 // BOUNDED, FALLOFF), each made when first used.
 class AirProgram {
  public:
-  explicit AirProgram(std::string fragment_path, gl::Defines defines = {})
-      : path_(std::move(fragment_path)), defines_(std::move(defines)) {}
+  // With `sun_disc` for the shader to look at the sun as a disc (SUN_DISC, VIRTUAL_CASTERS, REAL_CASTERS).
+  explicit AirProgram(std::string fragment_path, gl::Defines defines = {}, bool sun_disc = false)
+      : path_(std::move(fragment_path)), defines_(std::move(defines)), sun_disc_(sun_disc) {}
 
-  // In use, with all that ray.glsl, view_depth.glsl and shade.glsl need for a picture of that size, on texture unit 0.
+  // In use, with all that ray.glsl, view_depth.glsl and shade.glsl need for a picture of that size, on texture unit 0;
+  // and what sun_map.glsl does where the sun is a disc, on units 2 to 7, which release() lets go of.
   const gl::Program& use(const ShaftInputs& inputs, const glm::ivec2& size_px);
+  void release() const;
 
  private:
+  int variant_of(const ShaftInputs& inputs, const glm::ivec2& size_px) const;
+  gl::Defines defines_of(int variant) const;
+  void set_sun_disc(const gl::Program& program, const ShaftInputs& inputs) const;
+
   std::string path_;
   gl::Defines defines_;
+  bool sun_disc_;
   std::map<int, gl::Program> variants_;
 };
 

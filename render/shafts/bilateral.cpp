@@ -16,6 +16,7 @@ void Bilateral::draw_small(const ShaftInputs& inputs, const glm::ivec2& small_px
   casters_.bind(march, inputs, kMapUnit);
   gl::draw_full_screen(no_vertices_);
   CasterMap::unbind(kMapUnit);
+  march_.release();
 }
 
 const ShaftPicture& Bilateral::draw(const ShaftInputs& inputs) {

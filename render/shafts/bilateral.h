@@ -14,7 +14,11 @@ class Bilateral : public ShaftTechnique {
  public:
   // `radius_px`: how far the filter reaches, in pixels of the small picture.
   Bilateral(const MarchSteps& steps, int divisor, int radius_px)
-      : steps_(steps), divisor_(divisor), radius_px_(radius_px), open_(1) {}
+      : steps_(steps),
+        divisor_(divisor),
+        radius_px_(radius_px),
+        march_("shafts/small_lit.frag", steps.defines(), steps.sun_disc),
+        open_(1) {}
 
   const ShaftPicture& draw(const ShaftInputs& inputs) override;
 
@@ -25,7 +29,7 @@ class Bilateral : public ShaftTechnique {
   int divisor_;
   int radius_px_;
   CasterMap casters_{1};
-  AirProgram march_{"shafts/small_lit.frag"};
+  AirProgram march_;
   AirProgram upscale_{"shafts/bilateral.frag"};
   gl::Texture small_;
   gl::Framebuffer to_small_;

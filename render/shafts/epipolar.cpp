@@ -17,17 +17,17 @@ gl::Defines with(gl::Defines defines, const char* name) {
 
 }  // namespace
 
-Epipolar::Epipolar(const LineSettings& settings, const gl::Defines& defines)
+Epipolar::Epipolar(const LineSettings& settings, const gl::Defines& defines, bool sun_disc)
     : settings_(settings),
-      sample_("shafts/line_samples.frag", defines),
+      sample_("shafts/line_samples.frag", defines, sun_disc),
       between_("shafts/line_picture.frag"),
-      alone_("shafts/line_picture.frag", with(defines, "ALONE")),
+      alone_("shafts/line_picture.frag", with(defines, "ALONE"), sun_disc),
       open_(settings.divisor) {}
 
-Epipolar::Epipolar(const LineSettings& settings) : Epipolar(settings, gl::Defines{}) {}
+Epipolar::Epipolar(const LineSettings& settings) : Epipolar(settings, gl::Defines{}, false) {}
 
 Epipolar::Epipolar(const LineSettings& settings, const MarchSteps& steps)
-    : Epipolar(settings, gl::Defines{{"LINE_MARCH"}}) {
+    : Epipolar(settings, gl::Defines{{"LINE_MARCH"}}, steps.sun_disc) {
   steps_ = steps;
 }
 
@@ -89,6 +89,7 @@ const ShaftPicture& Epipolar::draw(const ShaftInputs& inputs) {
   draw_samples(inputs, layout);
   draw_picture(inputs, layout);
   CasterMap::unbind(kMapUnit);
+  alone_.release();
   return target_.picture();
 }
 

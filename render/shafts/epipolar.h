@@ -31,7 +31,7 @@ class Epipolar : public ShaftTechnique {
   const ShaftPicture& draw(const ShaftInputs& inputs) override;
 
  private:
-  Epipolar(const LineSettings& settings, const gl::Defines& defines);
+  Epipolar(const LineSettings& settings, const gl::Defines& defines, bool sun_disc);
   void bind(const gl::Program& program, const ShaftInputs& inputs, const LineLayout& layout) const;
   void draw_samples(const ShaftInputs& inputs, const LineLayout& layout);
   void draw_picture(const ShaftInputs& inputs, const LineLayout& layout);

@@ -27,6 +27,7 @@ const ShaftPicture& March::draw(const ShaftInputs& inputs) {
   casters_.bind(march, inputs, kMapUnit);
   gl::draw_full_screen(no_vertices_);
   CasterMap::unbind(kMapUnit);
+  march_.release();
   glDisable(GL_SCISSOR_TEST);
   return target_.picture();
 }

@@ -13,6 +13,7 @@ struct MarchSteps {
   int spacing = 0;          // equal lengths, equal optical depths, or growing (Tan 2020, algorithm 1)
   double near_share = 0.5;  // growing: this share of the steps has equal lengths
   double near_m = 2.0;      // up to this far into the medium
+  bool sun_disc = false;    // each sees the sun as a disc; else as a point
 
   gl::Defines defines() const;                 // what shaders/shafts/steps.glsl is compiled with
   void set(const gl::Program& program) const;  // and what it needs
@@ -22,7 +23,10 @@ struct MarchSteps {
 class March : public ShaftTechnique {
  public:
   March(const MarchSteps& steps, int divisor)
-      : steps_(steps), divisor_(divisor), march_("shafts/march.frag", steps.defines()), open_(divisor) {}
+      : steps_(steps),
+        divisor_(divisor),
+        march_("shafts/march.frag", steps.defines(), steps.sun_disc),
+        open_(divisor) {}
 
   const ShaftPicture& draw(const ShaftInputs& inputs) override;
 

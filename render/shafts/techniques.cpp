@@ -18,6 +18,12 @@ ShaftKnob steps(int standard) {
           .whole = true};
 }
 
+ShaftKnob sun() {
+  return {.name = "sun",
+          .meaning = "a point: shafts have sharp edges; or a disc: they soften with the way from what casts them",
+          .choices = {"point", "disc"}};
+}
+
 ShaftKnob divisor(int standard) {
   return {.name = "divisor",
           .meaning = "shafts are computed at 1/divisor of the picture's width and height",
@@ -55,6 +61,7 @@ ShaftTechniqueInfo march() {
                      .low = 0.01,
                      .high = 1e4,
                      .standard = 2},
+                    sun(),
                     divisor(1)},
           .ladder = {"march:steps=16", "march:steps=32", "march:steps=64", "march:steps=128", "march:steps=256",
                      "march:steps=512", "march:steps=1024", "march:steps=64,spacing=growing",
@@ -63,7 +70,8 @@ ShaftTechniqueInfo march() {
             return std::make_unique<March>(MarchSteps{.count = s.whole("steps"),
                                                       .spacing = s.whole("spacing"),
                                                       .near_share = s.number("near_share"),
-                                                      .near_m = s.number("near_m")},
+                                                      .near_m = s.number("near_m"),
+                                                      .sun_disc = s.whole("sun") == 1},
                                            s.whole("divisor"));
           }};
 }
@@ -93,12 +101,13 @@ ShaftTechniqueInfo bilateral() {
                      .low = 1,
                      .high = 4,
                      .standard = 1,
-                     .whole = true}},
+                     .whole = true},
+                    sun()},
           .ladder = {"bilateral:steps=32,divisor=8", "bilateral:steps=64,divisor=4", "bilateral:steps=128,divisor=4",
                      "bilateral:steps=128,divisor=2", "bilateral:steps=512,divisor=2"},
           .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
-            return std::make_unique<Bilateral>(MarchSteps{.count = s.whole("steps")}, s.whole("divisor"),
-                                               s.whole("radius"));
+            return std::make_unique<Bilateral>(MarchSteps{.count = s.whole("steps"), .sun_disc = s.whole("sun") == 1},
+                                               s.whole("divisor"), s.whole("radius"));
           }};
 }
 
@@ -137,9 +146,11 @@ ShaftTechniqueInfo epipolar() {
                  "epipolar:steps=512,line_px=1,tolerance=0.01",
                  "epipolar:steps=1024,line_px=0.5,sample_px=8,tolerance=0.005"},
       .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
-        return std::make_unique<Epipolar>(line_settings(s), MarchSteps{.count = s.whole("steps")});
+        return std::make_unique<Epipolar>(line_settings(s),
+                                          MarchSteps{.count = s.whole("steps"), .sun_disc = s.whole("sun") == 1});
       }};
   info.knobs.push_back(steps(256));
+  info.knobs.push_back(sun());
   return info;
 }
 

@@ -40,6 +40,17 @@ float virtual_visibility(vec3 at_in_local, vec3 normal_in_local) {
 #endif
 }
 
+// The same for a point of the air, which has no slope to tell it from its own shade.
+float virtual_visibility_in_air(vec3 at_in_local) {
+#ifdef VIRTUAL_CASTERS
+  vec3 at = (virtual_map_from_local * vec4(at_in_local, 1.0)).xyz;
+  return sun_visibility(virtual_compared, virtual_depth, virtual_search(at, vec2(0.0)), at, vec2(0.0), virtual_texel,
+                        virtual_metres_per_unit, sun_disc_slope);
+#else
+  return 1.0;
+#endif
+}
+
 // Whether virtual things may take some of it away: quick to tell, and never wrong when it says no.
 bool may_be_shaded_by_virtual(vec3 at_in_local, vec3 normal_in_local) {
 #ifdef VIRTUAL_CASTERS
@@ -58,6 +69,18 @@ float real_visibility(vec3 at_in_local, vec3 normal_in_local) {
   BlockerSearch search = blocker_search(real_bounds, real_reach, at, slope, real_texel, real_metres_per_unit,
                                         sun_disc_slope);
   return sun_visibility(real_compared, real_depth, search, at, slope, real_texel, real_metres_per_unit, sun_disc_slope);
+#else
+  return 1.0;
+#endif
+}
+
+float real_visibility_in_air(vec3 at_in_local) {
+#ifdef REAL_CASTERS
+  vec3 at = (real_map_from_local * vec4(at_in_local, 1.0)).xyz;
+  BlockerSearch search = blocker_search(real_bounds, real_reach, at, vec2(0.0), real_texel, real_metres_per_unit,
+                                        sun_disc_slope);
+  return sun_visibility(real_compared, real_depth, search, at, vec2(0.0), real_texel, real_metres_per_unit,
+                        sun_disc_slope);
 #else
   return 1.0;
 #endif

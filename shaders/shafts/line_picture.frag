@@ -10,6 +10,7 @@
 // variant: ALONE BOUNDED FALLOFF
 // variant: ALONE LINE_MARCH
 // variant: ALONE LINE_MARCH BOUNDED
+// variant: ALONE LINE_MARCH SUN_DISC REAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
 
 #include "shafts/ray.glsl"

@@ -6,6 +6,7 @@
 // variant: BOUNDED FALLOFF
 // variant: LINE_MARCH
 // variant: LINE_MARCH BOUNDED
+// variant: LINE_MARCH SUN_DISC REAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
 
 #include "shafts/ray.glsl"

@@ -6,6 +6,8 @@
 // variant: FALLOFF SPACING=1
 // variant: SPACING=2
 // variant: BOUNDED FALLOFF
+// variant: SUN_DISC VIRTUAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
+// variant: BOUNDED SUN_DISC VIRTUAL_CASTERS REAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
 
 #include "shafts/ray.glsl"

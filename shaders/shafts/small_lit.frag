@@ -5,6 +5,7 @@
 // variant: DIVIDED FALLOFF
 // variant: DIVIDED BOUNDED FALLOFF
 // variant: NO_DEPTH
+// variant: DIVIDED SUN_DISC VIRTUAL_CASTERS REAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
 
 #define LINE_MARCH

@@ -1,5 +1,9 @@
 // A march in steps. SPACING: 0 equal lengths, 1 equal optical depths, 2 growing lengths. Needs shafts/ray.glsl and
-// shafts/caster_depth.glsl.
+// shafts/caster_depth.glsl. SUN_DISC: the sun is a disc, and what stands before part of it takes that part of its light
+// (percentage-closer, wider with the way from the caster); else a point.
+#ifdef SUN_DISC
+#include "shadow/sun_map.glsl"
+#endif
 #ifndef SPACING
 #define SPACING 0
 #endif
@@ -41,9 +45,15 @@ float march(Ray ray, Air air, vec2 stretch, float reach) {
     vec2 next = mark_at(air, to);
     float part = sunlight_between(mark, next);
     all += part;
+#ifdef SUN_DISC
+    vec3 at = ray.direction * (0.5 * (from + to));
+    // As on surfaces: virtual and real things stand before the disc independently of one another.
+    seen = virtual_visibility_in_air(at) * real_visibility_in_air(at);
+#else
     vec3 at = origin + along * (0.5 * (from + to));
     // By coordinates, which software rasterisers look up twice as fast as texels; the map is not filtered.
     seen = textureLod(caster_depth, at.xy, 0.0).r < min(at.z, 1.0) ? 0.0 : 1.0;
+#endif
     lit += part * seen;
     from = to;
     mark = next;

@@ -70,6 +70,42 @@ TEST(ShaftConvergence, EveryTechniqueComesToTheReferenceAsItsKnobsRise) {
   }
 }
 
+// Beside the truth with the sun as a disc, here six times as wide as ours: as a point it leaves the edges too sharp.
+TEST(ShaftSunDisc, SoftensTheShaftsAsTheReferenceDoes) {
+  SceneState scene = posts(false);
+  scene.sun.angular_radius_rad = 0.028;
+  const ReferencePicture truth = truth_of(scene);
+  struct Technique {
+    const char* settings;
+    double share;  // of the point's error, at most
+  };
+  for (const Technique& technique :
+       {Technique{"march:steps=256", 0.5}, Technique{"epipolar:steps=256,line_px=1,tolerance=0.005", 0.5},
+        Technique{"bilateral:steps=256,divisor=2", 0.9}}) {  // smooths edges by itself
+    const auto error = [&](const char* sun) {
+      return relative_rmse(rig().render(scene, parse_shaft_settings(std::string(technique.settings) + sun)), truth,
+                           scene.exposure);
+    };
+    const double point = error(",sun=point");
+    const double disc = error(",sun=disc");
+    EXPECT_LT(disc, technique.share * point) << technique.settings << ": " << disc << " against " << point;
+  }
+}
+
+TEST(ShaftSunDisc, OfNoWidthIsAPoint) {
+  SceneState scene = posts(true);
+  const LightPictures point = rig().render(scene, parse_shaft_settings("march:steps=256"));
+  const LightPictures disc = rig().render(scene, parse_shaft_settings("march:steps=256,sun=disc"));
+  double most = 0.0;
+  double error = 0.0;
+  for (std::size_t i = 0; i < point.shafts.rgba.size(); ++i) {
+    most = std::max(most, double{point.shafts.rgba[i].r});
+    error += std::pow(point.shafts.rgba[i].r - disc.shafts.rgba[i].r, 2.0);
+  }
+  // The comparisons of both are a texel apart.
+  EXPECT_LT(std::sqrt(error / static_cast<double>(point.shafts.rgba.size())), 0.01 * most);
+}
+
 double relative_rmse(const Pixels& found, const Pixels& truth) {
   double error = 0.0;
   double total = 0.0;
