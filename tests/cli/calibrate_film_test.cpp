@@ -138,11 +138,19 @@ TEST_F(Film, EnterInTheWindowSolvesWithTheViewsSoFar) {
   EXPECT_LT(pictures_in(result.out), 100);
 }
 
-TEST_F(Film, LiveWithoutADisplaySaysWhatToDo) {
+TEST(CalibrateLive, WithoutADisplaySaysWhatToDo) {
+  const cli::Folder folder;
+  const std::string clip = folder.path("any.mp4");
+  ASSERT_EQ(
+      cli::run({"ffmpeg", "-v", "error", "-f", "lavfi", "-i", "testsrc=size=64x48:rate=10:duration=1", clip}).status,
+      0);
   const cli::Result result = cli::run({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", SKYSHAFT_BINARY_DIR "/skyshaft",
-                                       "calibrate", "--live", "file:" + clip_, "--board", kBoard});
+                                       "calibrate", "--live", "file:" + clip, "--board", kBoard});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err, HasSubstr("--headless"));
+  const cli::Result empty = cli::skyshaft({"calibrate", "--live", "file:" + clip, "--headless", "--board", kBoard});
+  EXPECT_EQ(empty.status, 3);
+  EXPECT_THAT(empty.err, HasSubstr("no view of the board was taken"));
   EXPECT_EQ(cli::skyshaft({"calibrate", "--board", kBoard}).status, 2);
 }
 
