@@ -63,6 +63,7 @@ FrameUse ViewCollector::add(const Sighting& frame) {
     return FrameUse::NoBoard;
   }
   if (still_frames_ == 0 || median_shift_px(anchor_, frame) > still_px(picture_px_)) {
+    if (still_frames_ > 0) refused_.reset();
     anchor_ = frame;
     still_frames_ = 0;
   }
@@ -77,9 +78,10 @@ FrameUse ViewCollector::add(const Sighting& frame) {
 
 bool ViewCollector::adds_something(const Sighting& frame) const {
   const Looks looks = looks_of(board_, frame, picture_px_);
-  return std::all_of(taken_.begin(), taken_.end(), [&](const Sighting& other) {
+  const auto unlike = [&](const Sighting& other) {
     return distance(looks, looks_of(board_, other, picture_px_)) >= kNew;
-  });
+  };
+  return (!refused_ || unlike(*refused_)) && std::all_of(taken_.begin(), taken_.end(), unlike);
 }
 
 void ViewCollector::take(const Sighting& frame) {
@@ -90,6 +92,7 @@ void ViewCollector::take(const Sighting& frame) {
 
 void ViewCollector::drop_last() {
   if (taken_.empty()) return;
+  refused_ = taken_.back();
   taken_.pop_back();
   look_ahead();
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,7 @@ class ViewCollector {
 
   // The board in the next frame, in order of time.
   FrameUse add(const Sighting& frame);
-  // Takes back the last view.
+  // Takes back the last view; it is not taken again before the board has moved.
   void drop_last();
 
   const std::vector<Sighting>& taken() const { return taken_; }
@@ -71,7 +72,8 @@ class ViewCollector {
   std::vector<cv::Point2d> next_px_;
   HeldView last_held_;
   double expected_sigma_px_ = 0.0;
-  Sighting anchor_;  // since when the board has not moved
+  std::optional<Sighting> refused_;  // the view that was taken back, while the board is still there
+  Sighting anchor_;                  // since when the board has not moved
   int still_frames_ = 0;
   double sharpest_px_ = 1e9;  // narrowest edges of a still board so far
 };

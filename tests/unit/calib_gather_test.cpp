@@ -43,6 +43,7 @@ class Person {
     return use;
   }
   const calib::ViewCollector& collector() const { return collector_; }
+  void takes_back() { collector_.drop_last(); }
 
  private:
   calib::ViewCollector collector_;
@@ -136,6 +137,17 @@ TEST(ViewCollector, TakesAViewWhenItIsStillSharpAndNew) {
   }
   EXPECT_EQ(person.holds(places.views[1]), FrameUse::Taken);
   EXPECT_EQ(person.collector().taken().size(), 2U);
+}
+
+TEST(ViewCollector, DoesNotTakeAgainWhatWasTakenBackBeforeTheBoardMoved) {
+  const calib::Sightings places =
+      calib::testing::see(kBoard, calib::testing::true_camera(LensChoice::Pinhole), {.views = 2, .noise_px = 0.0});
+  Person person;
+  EXPECT_EQ(person.holds(places.views[0]), FrameUse::Taken);
+  person.takes_back();
+  EXPECT_EQ(person.holds(places.views[0]), FrameUse::Known);
+  EXPECT_EQ(person.holds(places.views[1]), FrameUse::Taken);
+  EXPECT_EQ(person.holds(places.views[0]), FrameUse::Taken);
 }
 
 // A person who does as told gets a good calibration of a camera that is not the one assumed at first.
