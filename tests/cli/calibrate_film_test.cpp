@@ -144,8 +144,9 @@ TEST(CalibrateLive, WithoutADisplaySaysWhatToDo) {
   ASSERT_EQ(
       cli::run({"ffmpeg", "-v", "error", "-f", "lavfi", "-i", "testsrc=size=64x48:rate=10:duration=1", clip}).status,
       0);
-  const cli::Result result = cli::run({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", SKYSHAFT_BINARY_DIR "/skyshaft",
-                                       "calibrate", "--live", "file:" + clip, "--board", kBoard});
+  const std::string program = SKYSHAFT_BINARY_DIR "/skyshaft";
+  const cli::Result result = cli::run({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", program, "calibrate", "--live",
+                                       "file:" + clip, "--board", kBoard});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err, HasSubstr("--headless"));
   const cli::Result empty = cli::skyshaft({"calibrate", "--live", "file:" + clip, "--headless", "--board", kBoard});

@@ -133,7 +133,8 @@ TEST_F(North, IsFoundFromAShadowWithinItsOwnUncertainty) {
 }
 
 TEST_F(North, WithoutADisplayNamesTheFlagsToGive) {
-  std::vector<std::string> command{"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", SKYSHAFT_BINARY_DIR "/skyshaft"};
+  const std::string program = SKYSHAFT_BINARY_DIR "/skyshaft";
+  std::vector<std::string> command{"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", program};
   const auto rest = arguments();
   command.insert(command.end(), rest.begin(), rest.end());
   const cli::Result result = cli::run(command);
