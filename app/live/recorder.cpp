@@ -9,6 +9,8 @@ namespace {
 constexpr std::size_t kWaiting = 8;
 // A clock that all usual frame rates divide.
 constexpr int kTicksPerSecond = 90'000;
+// Between two pictures: Matroska counts in milliseconds. A held picture is as old as the one before it.
+constexpr std::int64_t kLeastStep = kTicksPerSecond / 1000;
 
 // What a camera gives has neither sound nor metadata to copy, and a clock of its own.
 ar::SourceInfo recorded_source(ar::SourceInfo source) {
@@ -53,11 +55,11 @@ void Recorder::finish() {
 
 void Recorder::run() {
   try {
-    std::int64_t last = -1;
+    std::int64_t last = -kLeastStep;
     while (auto shown = waiting_.pop()) {
       if (!start_s_) start_s_ = shown->time_s;
       const std::int64_t pts = std::llround((shown->time_s - *start_s_) * kTicksPerSecond);
-      last = std::max(last + 1, pts);
+      last = std::max(last + kLeastStep, pts);
       sink_->write(std::move(shown->picture), last);
       ++recorded_;
     }

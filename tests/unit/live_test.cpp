@@ -1,16 +1,23 @@
 // The parts of `live`: the newest wins, lost cameras come back, quality follows the time there is.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 #include "app/live/distribution.h"
 #include "app/live/feed.h"
 #include "app/live/governor.h"
 #include "app/live/held_mark.h"
 #include "app/live/latest.h"
+#include "app/live/recorder.h"
 #include "app/live/tag_states.h"
 #include "app/reservoir.h"
+#include "ar/capture/ffmpeg.h"
 #include "ar/error.h"
+#include "ar/output/frame_pool.h"
 
 namespace {
 
@@ -213,6 +220,39 @@ TEST(LiveFeed, DoesNotTakeACameraThatComesBackWithOtherPictures) {
   wait_until_over(feed);
   EXPECT_TRUE(feed.gave_up());
   EXPECT_EQ(feed.counts().reconnections, 0);
+}
+
+// Of every packet of a Matroska file, milliseconds, as they are written: a player may have its own idea of equal ones.
+std::vector<std::int64_t> written_times_ms(const std::filesystem::path& file) {
+  std::vector<std::int64_t> times_ms;
+  AVFormatContext* input = nullptr;
+  if (avformat_open_input(&input, file.c_str(), nullptr, nullptr) < 0) return times_ms;
+  const ar::ffmpeg::PacketPtr packet = ar::ffmpeg::make_packet();
+  while (av_read_frame(input, packet.get()) >= 0) {
+    times_ms.push_back(packet->pts);
+    av_packet_unref(packet.get());
+  }
+  avformat_close_input(&input);
+  return times_ms;
+}
+
+TEST(Recorder, KeepsTimesAndPutsAHeldPictureAMillisecondBehindTheLast) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / fmt::format("recorder-{}.mkv", getpid());
+  ar::SourceInfo source;
+  source.format.width = 64;
+  source.format.height = 48;
+  source.format.color = {ar::ColorMatrix::Bt709, ar::ColorRange::Limited, ar::Transfer::Bt709, ar::Primaries::Bt709};
+  source.frame_rate = {10, 1};
+  ar::FramePool pool(source.format);
+  app::Recorder recorder(file, source, {.codec = ar::VideoCodec::Ffv1, .overwrite = true});
+  for (const double time_s : {100.0, 100.1}) recorder.show({.picture = pool.allocate(), .time_s = time_s});
+  // As long as it is held it is shown again and again, and comes into the recording once.
+  for (int i = 0; i < 3; ++i) recorder.show({.picture = pool.allocate(), .time_s = 100.1, .held = true});
+  recorder.show({.picture = pool.allocate(), .time_s = 103.0});
+  recorder.finish();
+  EXPECT_EQ(recorder.recorded(), 4);
+  EXPECT_EQ(written_times_ms(file), (std::vector<std::int64_t>{0, 100, 101, 3000}));
+  std::filesystem::remove(file);
 }
 
 TEST(HeldMark, StripesTheEdgesAndLeavesTheMiddle) {
