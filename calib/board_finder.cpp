@@ -114,7 +114,7 @@ struct BoardFinder::Impl {
   FoundTags find_markers(const cv::Mat& grey8);
   Sighting find_tags(const cv::Mat& grey8);
   Sighting find_charuco(const cv::Mat& grey8);
-  Sighting find_chessboard(const cv::Mat& grey8) const;
+  Sighting find_chessboard(const cv::Mat& grey8, Effort effort) const;
 };
 
 FoundTags BoardFinder::Impl::find_markers(const cv::Mat& grey8) {
@@ -204,16 +204,18 @@ Sighting BoardFinder::Impl::find_charuco(const cv::Mat& grey8) {
   return seen;
 }
 
-Sighting BoardFinder::Impl::find_chessboard(const cv::Mat& grey8) const {
+Sighting BoardFinder::Impl::find_chessboard(const cv::Mat& grey8, Effort effort) const {
   const cv::Size pattern(board.columns, board.rows);
   const double scale = search_scale(grey8.size(), 1280);
   const cv::Mat small = shrunk(grey8, scale);
   std::vector<cv::Point2f> corners;
   const int quick = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_FAST_CHECK;
   const int thorough = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE;
-  if (!cv::findChessboardCorners(small, pattern, corners, quick) &&
-      !cv::findChessboardCorners(small, pattern, corners, thorough) &&
-      !cv::findChessboardCornersSB(small, pattern, corners, cv::CALIB_CB_NORMALIZE_IMAGE)) {
+  const auto with_patience = [&] {
+    return cv::findChessboardCorners(small, pattern, corners, thorough) ||
+           cv::findChessboardCornersSB(small, pattern, corners, cv::CALIB_CB_NORMALIZE_IMAGE);
+  };
+  if (!cv::findChessboardCorners(small, pattern, corners, quick) && (effort == Effort::Quick || !with_patience())) {
     return {};
   }
   Sighting seen;
@@ -231,11 +233,11 @@ Sighting BoardFinder::Impl::find_chessboard(const cv::Mat& grey8) const {
 BoardFinder::BoardFinder(const Board& board, int threads) : impl_(std::make_unique<Impl>(board, threads)) {}
 BoardFinder::~BoardFinder() = default;
 
-Sighting BoardFinder::find(const cv::Mat& grey8) {
+Sighting BoardFinder::find(const cv::Mat& grey8, Effort effort) {
   CV_CheckTypeEQ(grey8.type(), CV_8UC1, "a grey picture of 8 bits");
   Sighting seen = impl_->board.kind == BoardKind::Tags      ? impl_->find_tags(grey8)
                   : impl_->board.kind == BoardKind::Charuco ? impl_->find_charuco(grey8)
-                                                            : impl_->find_chessboard(grey8);
+                                                            : impl_->find_chessboard(grey8, effort);
   seen.edge_width_px = edge_width_px(grey8, seen.px, 6);
   return seen;
 }

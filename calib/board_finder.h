@@ -8,6 +8,10 @@
 
 namespace calib {
 
+// How hard a chessboard is looked for. Where none is, a thorough search may take seconds in a picture full of detail;
+// of many pictures, those count in which the quick one finds it.
+enum class Effort { Thorough, Quick };
+
 // Finds a board's points in pictures, to a fraction of a pixel. Tag boards and ChArUco may be seen in part; a
 // chessboard must be seen whole, because nothing tells which part is seen. Not thread-safe.
 class BoardFinder {
@@ -19,7 +23,7 @@ class BoardFinder {
   BoardFinder& operator=(const BoardFinder&) = delete;
 
   // No points where the board is not seen. `name` and `time_s` are left to the caller.
-  Sighting find(const cv::Mat& grey8);
+  Sighting find(const cv::Mat& grey8, Effort effort = Effort::Thorough);
 
  private:
   struct Impl;

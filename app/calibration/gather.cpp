@@ -39,7 +39,8 @@ LookedAt look_at(const std::string& input, calib::BoardFinder& finder, Progress&
   while (const auto frame = source->next()) {
     if (InterruptGuard::requested()) break;
     if (index++ % every != 0) continue;
-    calib::Sighting seen = finder.find(ar::grey8(*frame, room));
+    calib::Sighting seen =
+        finder.find(ar::grey8(*frame, room), looked.video ? calib::Effort::Quick : calib::Effort::Thorough);
     seen.time_s = frame->time_s;
     seen.name = looked.video || index > 1 ? fmt::format("{}#{}", input, frame->index) : input;
     looked.frames.push_back(std::move(seen));

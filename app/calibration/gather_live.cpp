@@ -80,7 +80,7 @@ class Session {
   bool goes_on() const { return !done_ && !collector_.enough() && !InterruptGuard::requested() && !feed_.over(); }
 
   void look_at(const ar::Frame& frame) {
-    last_ = finder_.find(ar::grey8(frame, room_));
+    last_ = finder_.find(ar::grey8(frame, room_), calib::Effort::Quick);
     last_.time_s = frame.time_s;
     last_.name = fmt::format("{}#{}", feed_.info().name, frame.index);
     use_ = collector_.add(last_);
