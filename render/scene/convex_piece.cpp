@@ -64,7 +64,7 @@ Joined join_vertices(const Mesh& mesh) {
   return joined;
 }
 
-double diagonal_of(const ConvexPiece& piece) {
+glm::dvec3 size_of(const ConvexPiece& piece) {
   glm::dvec3 low(piece.triangles.front()[0]);
   glm::dvec3 high = low;
   for (const Triangle& triangle : piece.triangles) {
@@ -73,7 +73,13 @@ double diagonal_of(const ConvexPiece& piece) {
       high = glm::max(high, glm::dvec3(corner));
     }
   }
-  return glm::distance(low, high);
+  return high - low;
+}
+
+// The second longest edge of its box: a beam is not large, however long it is.
+double width_of(const ConvexPiece& piece) {
+  const glm::dvec3 size = size_of(piece);
+  return std::max(std::min(size.x, size.y), std::min(std::max(size.x, size.y), size.z));
 }
 
 glm::dvec3 face_vector(const Triangle& t) {  // twice the area times the normal
@@ -151,7 +157,7 @@ bool flat_and_convex(const ConvexPiece& piece, double tolerance_m) {
 }
 
 bool is_convex(ConvexPiece& piece) {
-  const double tolerance_m = kFlat * diagonal_of(piece);
+  const double tolerance_m = kFlat * glm::length(size_of(piece));
   piece.flat = flat_and_convex(piece, tolerance_m);
   return piece.flat || (bulges_outwards(piece, tolerance_m) && closed(piece));
 }
@@ -175,7 +181,7 @@ void add_pieces(const Mesh& mesh, std::size_t index, double model_m, std::vector
     found->second.vertices.insert(found->second.vertices.end(), first, first + 3);
   }
   for (auto& [set, piece] : pieces) {
-    if (piece.triangles.size() > kMostTriangles || diagonal_of(piece) < kSmallest * model_m || !is_convex(piece)) {
+    if (piece.triangles.size() > kMostTriangles || width_of(piece) < kSmallest * model_m || !is_convex(piece)) {
       continue;
     }
     std::ranges::sort(piece.vertices);

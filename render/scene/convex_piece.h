@@ -18,8 +18,8 @@ struct ConvexPiece {
   bool flat = false;
 };
 
-// The pieces of at most 64 triangles that are at least a quarter as large as the model. Corners of the same place count
-// as joined, whatever their normals.
+// The pieces of at most 64 triangles that are at least a quarter as wide as the model's diagonal. Corners of the same
+// place count as joined, whatever their normals.
 std::vector<ConvexPiece> find_convex_pieces(const Model& model);
 
 // Whether a ray from outside the piece meets it; `direction` need not be unit. One that meets an edge counts as

@@ -65,6 +65,12 @@ TEST(ConvexPiece, ASheetIsFoundAndAnAngleOfTwoIsNot) {
   EXPECT_TRUE(angle.convex_pieces.empty());
 }
 
+// What comes and goes with every step of the eye would make the map's texels jump.
+TEST(ConvexPiece, ABeamIsNotLargeHoweverLongItIs) {
+  EXPECT_TRUE(make_box({8, 0.2F, 0.2F}).convex_pieces.empty());
+  EXPECT_EQ(make_box({8, 4, 0.2F}).convex_pieces.size(), 1U);
+}
+
 TEST(ConvexPiece, AnOpenBoxAndATransparentOneAreNot) {
   Model open = make_box({2, 2, 2});
   open.meshes.front().indices.resize(open.meshes.front().indices.size() - 6);
