@@ -50,7 +50,7 @@ void SliceTrees::make_storage(const CasterMap& casters, int rows) {
   cells_ = cells;
   level_first_ = {0, cells / 16, cells / 16 + cells / 64, cells / 16 + cells / 64 + cells / 256};
   slices_ = gl::Texture(GL_RGBA32F, 1, rows, gl::Filter::Nearest, 1, "epipolar slices");
-  leaves_ = gl::Texture(GL_RGBA16UI, cells / 4, rows, gl::Filter::Nearest, 1, "casters of slices");
+  leaves_ = gl::Texture(GL_RGBA32UI, cells / 4, rows, gl::Filter::Nearest, 1, "casters of slices");
   blocks_ = gl::Texture(GL_RG16UI, cells / 16, rows, gl::Filter::Nearest, 1, "bounds of 16 cells");
   nodes_ = gl::Texture(GL_RG16UI, level_first_.w + cells / 1024, rows, gl::Filter::Nearest, 1, "min-max trees");
   to_leaves_ = gl::Framebuffer({&leaves_}, nullptr, "casters of slices");

@@ -15,7 +15,8 @@ void main() {
   uvec4 b = textureLod(leaves, at + next, 0.0);
   uvec4 c = textureLod(leaves, at + 2.0 * next, 0.0);
   uvec4 d = textureLod(leaves, at + 3.0 * next, 0.0);
-  uvec4 low = min(min(a, b), min(c, d));
-  uvec4 high = max(max(a, b), max(c, d));
+  const uint kFirst = 0xffffu;  // leaves.frag: two rows
+  uvec4 low = min(min(min(a & kFirst, b & kFirst), min(c & kFirst, d & kFirst)), min(min(a, b), min(c, d)) >> 16);
+  uvec4 high = max(max(max(a & kFirst, b & kFirst), max(c & kFirst, d & kFirst)), max(max(a, b), max(c, d)) >> 16);
   bounds = uvec2(min(min(low.x, low.y), min(low.z, low.w)), max(max(high.x, high.y), max(high.z, high.w)));
 }

@@ -41,3 +41,15 @@ float sunlight_when(float lit, vec3 direction, Air air, vec2 stretch, vec2 march
 float lit_at(vec3 at, ivec2 last) {
   return texelFetch(caster_depth, clamp(ivec2(at.xy), ivec2(0), last), 0).r < min(at.z, 1.0) ? 0.0 : 1.0;
 }
+
+// The same of the four texels around `at` (u and v 0 to 1 across the map), each by how near it is: percentage-closer
+// filtering (Reeves et al. 1987).
+float filtered_lit_at(vec3 at) {
+  vec2 size = vec2(textureSize(caster_depth, 0));
+  vec2 place = at.xy * size - 0.5;
+  vec2 first = floor(place);
+  vec2 part = place - first;
+  vec4 depth = textureGather(caster_depth, (first + 1.0) / size, 0);  // of (0, 1), (1, 1), (1, 0), (0, 0)
+  vec4 lit = vec4(greaterThanEqual(depth, vec4(min(at.z, 1.0))));
+  return mix(mix(lit.w, lit.z, part.x), mix(lit.x, lit.y, part.x), part.y);
+}

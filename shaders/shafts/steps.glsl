@@ -50,9 +50,7 @@ float march(Ray ray, Air air, vec2 stretch, float reach) {
     // As on surfaces: virtual and real things stand before the disc independently of one another.
     seen = virtual_visibility_in_air(at) * real_visibility_in_air(at);
 #else
-    vec3 at = origin + along * (0.5 * (from + to));
-    // By coordinates, which software rasterisers look up twice as fast as texels; the map is not filtered.
-    seen = textureLod(caster_depth, at.xy, 0.0).r < min(at.z, 1.0) ? 0.0 : 1.0;
+    seen = filtered_lit_at(origin + along * (0.5 * (from + to)));
 #endif
     lit += part * seen;
     from = to;

@@ -2,6 +2,8 @@
 // them all, are taken whole, and cells are cut exactly where the ray meets the depth of their caster. Needs ray.glsl.
 precision highp int;
 
+#include "shafts/slice_rows.glsl"
+
 // Looked up by texture coordinates: software rasterisers take twice as long to fetch a texel by its number.
 uniform highp sampler2D slices;   // render/shafts/slice_trees.h
 uniform highp usampler2D leaves;  // leaves.frag
@@ -11,6 +13,15 @@ uniform vec2 nodes_texel;
 uniform ivec4 level_first;
 uniform int top_level;
 uniform mat4 texels_from_local;
+
+// How much of a stretch of cells one row of them shades, metres. A ray that goes down the light is shaded behind the
+// caster's depth, one that goes up is before it.
+vec4 shaded_m(vec4 caster, vec4 begin, vec4 finish, float eye_depth, float slope) {
+  vec4 meeting = (mix(caster, vec4(1e30), greaterThan(caster, vec4(65534.5))) - eye_depth) / slope;
+  vec4 from = slope > 0.0 ? max(begin, meeting) : begin;
+  vec4 to = slope > 0.0 ? finish : min(finish, meeting);
+  return max(to - from, vec4(0.0));
+}
 
 // Part of the sunlight, from where the stretch begins to its reach, that gets past the casters, as the slice of that row sees them. Of one
 // that is shaded throughout, exactly 0.
@@ -22,7 +33,7 @@ float walk(int row, Ray ray, Air air, vec2 stretch, float reach) {
   float m_per_texel = 1.0 / max(texels_per_m, 1e-12);
   float eye_depth = texels_from_local[3].z;
   float slope = abs(along.z) < 1e-12 ? 1e-12 : along.z;
-  float inverse_slope = 1.0 / slope;
+  vec2 eye_in_texels = texels_from_local[3].xy;
   int cells = int(slice.w);
 
   float t = stretch.x;
@@ -71,16 +82,15 @@ float walk(int row, Ray ray, Air air, vec2 stretch, float reach) {
       float four_end = min((slice.z + float(four * 4 + 4)) * m_per_texel, to);
       // Cells are long on rays that run along the light: no farther at once than the light hardly fades.
       float end = min(four_end, max(way_of_depth(air, view_depth_to(air, t) + 0.05), t + 1e-6 * four_end));
-      vec4 caster = vec4(ivec4(textureLod(leaves, leaves_texel * vec2(float(four) + 0.5, row_at), 0.0)));
-      caster = mix(caster, vec4(1e30), greaterThan(caster, vec4(65534.5)));
-      vec4 begin = (slice.z + float(four * 4) + vec4(0.0, 1.0, 2.0, 3.0)) * m_per_texel;
+      uvec4 casters = textureLod(leaves, leaves_texel * vec2(float(four) + 0.5, row_at), 0.0);
+      vec4 cells_of_four = float(four * 4) + vec4(0.0, 1.0, 2.0, 3.0);
+      vec4 behind = fract(places_across(eye_in_texels, slice, cells_of_four));
+      vec4 begin = (slice.z + cells_of_four) * m_per_texel;
       vec4 finish = clamp(begin + m_per_texel, t, end);
       begin = clamp(begin, t, end);
-      // A ray that goes down the light is shaded behind the caster's depth, one that goes up is before it.
-      vec4 meeting = (caster - eye_depth) * inverse_slope;
-      begin = slope > 0.0 ? max(begin, meeting) : begin;
-      finish = slope > 0.0 ? finish : min(finish, meeting);
-      float shaded = dot(max(finish - begin, vec4(0.0)), vec4(1.0));
+      vec4 before_m = shaded_m(vec4(ivec4(casters & 0xffffu)), begin, finish, eye_depth, slope);
+      vec4 behind_m = shaded_m(vec4(ivec4(casters >> 16)), begin, finish, eye_depth, slope);
+      float shaded = dot(mix(before_m, behind_m, behind), vec4(1.0));
       vec2 next = mark_at(air, end);
       dark += sunlight_between(mark, next) * min(shaded / max(end - t, 1e-20), 1.0);
       any_lit = any_lit || shaded < (end - t) * (1.0 - 1e-5);
