@@ -60,6 +60,12 @@ std::string described(const ShaftSettings& shafts) {
   return text;
 }
 
+// Whether shafts soften with the way from what casts them: texels are not seen then.
+bool by_disc(const ShaftSettings& shafts) {
+  const ShaftTechniqueInfo* info = find_shaft_technique(shafts.technique);
+  return info != nullptr && info->find("sun") != nullptr && shafts.whole("sun") == 1;
+}
+
 class Planner {
  public:
   Planner(const SceneState& scene, const Quality& quality) : scene_(scene), quality_(quality), needs_(needs_of(scene)) {
@@ -83,6 +89,7 @@ class Planner {
       add(PassKind::Upload, "upload", "the part of the picture that changes", "the real picture is composited");
       plan_shadow();
       plan_objects();
+      plan_air_shadow();
       plan_shafts();
       add(PassKind::Composite, "composite", "linear light, the source's own encoding",
           "virtual light is laid over the real picture");
@@ -135,6 +142,15 @@ class Planner {
                 (needs_.virtual_things > 0 ? " to take shadows and to hide what is behind" : " at which the air ends");
     }
     add(PassKind::Objects, "objects", quality_.anti_alias ? "4 samples a pixel" : "1 sample a pixel", reason);
+  }
+
+  void plan_air_shadow() {
+    const ShaftTechniqueInfo* info = find_shaft_technique(plan_.shafts.technique);
+    if (!needs_.shafts || info == nullptr || !info->shows_texels || by_disc(plan_.shafts)) return;
+    add(PassKind::AirShadow, "air shadow",
+        fmt::format("{0} x {0} texels over the air that is seen, where that is much less than all",
+                    quality_.shadow_map_size),
+        fmt::format("{} shows the shadow map's texels", plan_.shafts.technique));
   }
 
   void plan_shafts() {

@@ -9,7 +9,7 @@
 
 namespace render {
 
-enum class PassKind { Upload, SunShadow, Objects, Shafts, Composite, Read };
+enum class PassKind { Upload, SunShadow, Objects, AirShadow, Shafts, Composite, Read };
 
 struct Pass {
   PassKind kind;

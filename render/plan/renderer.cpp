@@ -18,6 +18,7 @@
 #include "render/gl/read_back.h"
 #include "render/plan/pass_clock.h"
 #include "render/plan/screen_region.h"
+#include "render/shadow/air_shadow.h"
 
 namespace render {
 namespace {
@@ -78,6 +79,7 @@ struct BackgroundKey {
 struct Renderer::Impl {
   GpuModels models;
   SunShadow shadow;
+  AirShadow air_shadow;
   std::optional<ObjectsPass> objects_pass;
   bool anti_alias = true;
   bool quick_shadows = false;
@@ -144,13 +146,16 @@ struct Renderer::Impl {
     layers.lens = lens ? &*lens : nullptr;
     run(plan, PassKind::SunShadow, [&] { shadow.update(scene, view, plan.shadow_map_size, models); });
     run(plan, PassKind::Objects, [&] { layers.objects = &objects_pass->draw(scene, view, shadow, models); });
+    const GLuint depth = layers.objects != nullptr ? layers.objects->depth : 0;
+    const SunShadow* air_casters = nullptr;
+    run(plan, PassKind::AirShadow, [&] { air_casters = &air_shadow.update(shadow, scene, view, depth, models); });
     run(plan, PassKind::Shafts, [&] {
-      const GLuint depth = layers.objects != nullptr ? layers.objects->depth : 0;
       const PixelRect seen = medium_region(view, *scene.medium);
       layers.shafts = &shafts_technique->draw({.scene = scene,
                                                .view = view,
                                                .depth = depth,
                                                .shadow = shadow,
+                                               .air_shadow = air_casters,
                                                .region_px = {seen.x, seen.y, seen.width, seen.height}});
     });
     return layers;

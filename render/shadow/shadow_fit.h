@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct ShadowFit {
 
 // Which instances cast: virtual things, or those real ones that can shade anything that is seen.
 enum class Casters { Virtual, Real };
+inline constexpr std::array<Casters, 2> kCasterKinds{Casters::Virtual, Casters::Real};
 std::vector<const Instance*> casters(const SceneState& scene, Casters kind);
 
 // Whether an instance may hold up light of the sun's disc on its way into that box. Judged by their bounding boxes: yes

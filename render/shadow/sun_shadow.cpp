@@ -59,6 +59,7 @@ struct SunShadow::Impl {
     glm::dvec3 sun_direction{0.0};
     double disc_slope = 0.0;
     bool rendered = false;
+    unsigned whole_revision = 0;  // of the map that this one is a part of
   };
 
   gl::Program opaque{"shadow/caster.vert", "shadow/caster.frag"};
@@ -106,6 +107,23 @@ struct SunShadow::Impl {
     make_storage(slot, size);
     draw(slot, casters, models);
     bound(slot);
+    return true;
+  }
+
+  // Of the map in `whole`.
+  bool update_part(Slot& slot, const Slot& whole, const ShadowFit& part, const std::vector<const Instance*>& casters,
+                   GpuModels& models) {
+    if (slot.rendered && slot.whole_revision == whole.map.revision && slot.map.fit == part &&
+        slot.map.size_px == whole.map.size_px) {
+      return false;
+    }
+    slot.whole_revision = whole.map.revision;
+    slot.map.fit = part;
+    slot.left_out = whole.left_out;
+    slot.rendered = true;
+    ++slot.map.revision;
+    make_storage(slot, whole.map.size_px);
+    draw(slot, casters, models);
     return true;
   }
 
@@ -179,10 +197,20 @@ SunShadow::~SunShadow() = default;
 
 bool SunShadow::update(const SceneState& scene, const View& view, int size_px, GpuModels& models) {
   bool drawn = false;
-  for (const Casters kind : {Casters::Virtual, Casters::Real}) {
+  for (const Casters kind : kCasterKinds) {
     drawn |= impl_->update(impl_->slot(kind), scene, view, casters(scene, kind), size_px, models);
   }
   drawn |= impl_->glass.update(scene, view, size_px, models);
+  return drawn;
+}
+
+bool SunShadow::update_parts(const SunShadow& whole, const std::array<ShadowFit, 2>& parts, const SceneState& scene,
+                             GpuModels& models) {
+  bool drawn = false;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Casters kind = kCasterKinds[i];
+    drawn |= impl_->update_part(impl_->slot(kind), whole.impl_->slot(kind), parts[i], casters(scene, kind), models);
+  }
   return drawn;
 }
 

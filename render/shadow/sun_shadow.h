@@ -2,6 +2,7 @@
 
 #include <GLES3/gl31.h>
 
+#include <array>
 #include <glm/glm.hpp>
 #include <memory>
 #include <vector>
@@ -41,6 +42,11 @@ class SunShadow {
   // moved its shadows by less than a quarter of a texel has not changed.
   // Returns whether anything was rendered. Leaves framebuffer, viewport, program and depth state changed.
   bool update(const SceneState& scene, const View& view, int size_px, GpuModels& models);
+
+  // The casters that `whole` (up to date with `scene`) was rendered from, over those parts of its maps, in the order of
+  // kCasterKinds; with as many texels. Glass and the bounds of depths are left out. Else as update().
+  bool update_parts(const SunShadow& whole, const std::array<ShadowFit, 2>& parts, const SceneState& scene,
+                    GpuModels& models);
 
   // fit.empty where nothing of that kind casts a shadow; the texture is then a single lit texel.
   const ShadowMap& map(Casters kind) const;

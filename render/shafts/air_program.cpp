@@ -80,7 +80,7 @@ void set_view(const gl::Program& program, const ShaftInputs& inputs, const glm::
 
 int AirProgram::variant_of(const ShaftInputs& inputs, const glm::ivec2& size_px) const {
   const Medium& medium = *inputs.scene.medium;
-  const auto cast = [&](Casters kind) { return sun_disc_ && !inputs.shadow.map(kind).fit.empty; };
+  const auto cast = [&](Casters kind) { return sun_disc_ && !inputs.casters().map(kind).fit.empty; };
   return (medium.extent ? kBounded : 0) | (medium.falloff ? kFalloff : 0) | (inputs.depth == 0 ? kNoDepth : 0) |
          (size_px.x < inputs.view.width ? kDivided : 0) | (cast(Casters::Virtual) ? kVirtualCasters : 0) |
          (cast(Casters::Real) ? kRealCasters : 0);
@@ -102,8 +102,8 @@ gl::Defines AirProgram::defines_of(int variant) const {
 void AirProgram::set_sun_disc(const gl::Program& program, const ShaftInputs& inputs) const {
   program.set("sun_disc_slope", static_cast<float>(std::tan(inputs.scene.sun.angular_radius_rad)));
   for (const auto& [kind, unit] : kMapUnits) {
-    inputs.shadow.bind(kind, inputs.view, program, unit);
-    inputs.shadow.bind_bounds(kind, program, unit + 2);
+    inputs.casters().bind(kind, inputs.view, program, unit);
+    inputs.casters().bind_bounds(kind, program, unit + 2);
   }
 }
 

@@ -9,7 +9,6 @@
 namespace render {
 namespace {
 
-constexpr std::array<Casters, 2> kKinds{Casters::Virtual, Casters::Real};
 constexpr std::array<int, 2> kUnits{8, 10};  // each also takes the next
 
 struct Range {
@@ -31,7 +30,8 @@ struct Range {
 
 void CasterMap::update(const ShaftInputs& inputs) {
   Key key;
-  for (std::size_t i = 0; i < kKinds.size(); ++i) key.revisions[i] = inputs.shadow.map(kKinds[i]).revision;
+  for (std::size_t i = 0; i < kCasterKinds.size(); ++i)
+    key.revisions[i] = inputs.casters().map(kCasterKinds[i]).revision;
   if (const auto& extent = inputs.scene.medium->extent) {
     key.box_low = extent->min_in_world;
     key.box_high = extent->max_in_world;
@@ -39,16 +39,16 @@ void CasterMap::update(const ShaftInputs& inputs) {
   if (made_ && key == key_) return;
   key_ = key;
   made_ = true;
-  empty_ = std::ranges::all_of(kKinds, [&](Casters kind) { return inputs.shadow.map(kind).fit.empty; });
+  empty_ = std::ranges::all_of(kCasterKinds, [&](Casters kind) { return inputs.casters().map(kind).fit.empty; });
   if (empty_) return;
   only_.reset();
   if (coarseness_ == 1) {
-    for (std::size_t i = 0; i < kKinds.size(); ++i) {
-      if (inputs.shadow.map(kKinds[1 - i]).fit.empty) only_ = kKinds[i];
+    for (std::size_t i = 0; i < kCasterKinds.size(); ++i) {
+      if (inputs.casters().map(kCasterKinds[1 - i]).fit.empty) only_ = kCasterKinds[i];
     }
   }
   if (only_) {
-    const ShadowMap& map = inputs.shadow.map(*only_);
+    const ShadowMap& map = inputs.casters().map(*only_);
     map_from_world_ = map.fit.map_from_world;
     size_m_ = map.fit.metres_per_unit;
     size_px_ = glm::ivec2(map.size_px);
@@ -62,8 +62,8 @@ void CasterMap::place(const ShaftInputs& inputs) {
   // Counted in metres along the axes that both shadow maps share.
   glm::dmat4 axes(1.0);
   Range all;
-  for (const Casters kind : kKinds) {
-    const ShadowFit& fit = inputs.shadow.map(kind).fit;
+  for (const Casters kind : kCasterKinds) {
+    const ShadowFit& fit = inputs.casters().map(kind).fit;
     if (fit.empty) continue;
     if (all.low.x > all.high.x) axes = glm::scale(glm::dmat4(1.0), fit.metres_per_unit) * fit.map_from_world;
     all.add(axes * glm::inverse(fit.map_from_world), glm::dvec3(0.0), glm::dvec3(1.0));
@@ -86,8 +86,8 @@ void CasterMap::place(const ShaftInputs& inputs) {
 glm::ivec2 CasterMap::wanted_size(const ShaftInputs& inputs) const {
   int largest = 1;
   glm::dvec2 texel_m(std::numeric_limits<double>::infinity());
-  for (const Casters kind : kKinds) {
-    const ShadowMap& map = inputs.shadow.map(kind);
+  for (const Casters kind : kCasterKinds) {
+    const ShadowMap& map = inputs.casters().map(kind);
     if (map.fit.empty) continue;
     largest = std::max(largest, map.size_px);
     texel_m = glm::min(texel_m, glm::dvec2(map.fit.metres_per_unit) / static_cast<double>(map.size_px));
@@ -100,8 +100,8 @@ glm::ivec2 CasterMap::wanted_size(const ShaftInputs& inputs) const {
 void CasterMap::draw(const ShaftInputs& inputs) {
   int present = 0;
   gl::Defines defines;
-  for (std::size_t i = 0; i < kKinds.size(); ++i) {
-    if (inputs.shadow.map(kKinds[i]).fit.empty) continue;
+  for (std::size_t i = 0; i < kCasterKinds.size(); ++i) {
+    if (inputs.casters().map(kCasterKinds[i]).fit.empty) continue;
     present |= 1 << i;
     defines.push_back({i == 0 ? "VIRTUAL_CASTERS" : "REAL_CASTERS"});
   }
@@ -116,10 +116,10 @@ void CasterMap::draw(const ShaftInputs& inputs) {
   framebuffer_.bind();
   program.use();
   program.set("texel", 1.0F / glm::vec2(size_px_));
-  for (std::size_t i = 0; i < kKinds.size(); ++i) {
-    const ShadowFit& fit = inputs.shadow.map(kKinds[i]).fit;
+  for (std::size_t i = 0; i < kCasterKinds.size(); ++i) {
+    const ShadowFit& fit = inputs.casters().map(kCasterKinds[i]).fit;
     if (fit.empty) continue;
-    inputs.shadow.bind(kKinds[i], inputs.view, program, kUnits[i]);
+    inputs.casters().bind(kCasterKinds[i], inputs.view, program, kUnits[i]);
     const glm::dmat4 shadow_from_map = fit.map_from_world * glm::inverse(map_from_world_);
     const std::string prefix = i == 0 ? "virtual_" : "real_";
     program.set(prefix + "scale", glm::vec3(shadow_from_map[0].x, shadow_from_map[1].y, shadow_from_map[2].z));
@@ -136,7 +136,7 @@ void CasterMap::bind(const gl::Program& program, const ShaftInputs& inputs, int 
   program.set("end_margin", 0.0F);
   program.set("caster_depth", unit);
   if (only_) {
-    inputs.shadow.bind_depth(*only_, unit);
+    inputs.casters().bind_depth(*only_, unit);
   } else {
     depth_.bind(unit);
   }

@@ -41,7 +41,8 @@ struct ShaftTechniqueInfo {
   std::vector<ShaftKnob> knobs;
   std::vector<std::string> ladder;  // settings from the cheapest to the most accurate, as parse_shaft_settings() reads
   std::unique_ptr<ShaftTechnique> (*make)(const ShaftSettings&);
-  bool knows_glass = false;  // else its pictures are tinted by glass afterwards (glass_tint.h)
+  bool shows_texels = false;  // its error is that of the shadow map's texels: the air gets a finer one (AirShadow)
+  bool knows_glass = false;   // else its pictures are tinted by glass afterwards (glass_tint.h)
 
   const ShaftKnob* find(std::string_view knob) const;
 };

@@ -18,8 +18,12 @@ struct ShaftInputs {
   const View& view;         // the ideal picture that `depth` belongs to
   GLuint depth = 0;         // ideal depth, view.width x view.height (View says what it means); 0: nothing in view
   const SunShadow& shadow;  // up to date with `scene`
+  const SunShadow* air_shadow = nullptr;  // AirShadow's, for techniques that gain by it (ShaftTechniqueInfo)
   // The view's pixels in which the medium may be seen: x, y, width, height. Nothing is computed elsewhere. Empty: all.
   glm::ivec4 region_px{0};
+
+  // What to look for casters in.
+  const SunShadow& casters() const { return air_shadow != nullptr ? *air_shadow : shadow; }
 };
 
 // RGBA16F: rgb = in-scattered luminance_rgb * exposure, a = transmittance, row 0 at the top. A pixel of it looks along

@@ -73,7 +73,8 @@ ShaftTechniqueInfo march() {
                                                       .near_m = s.number("near_m"),
                                                       .sun_disc = s.whole("sun") == 1},
                                            s.whole("divisor"));
-          }};
+          },
+          .shows_texels = true};
 }
 
 ShaftTechniqueInfo interleaved() {
@@ -148,7 +149,8 @@ ShaftTechniqueInfo epipolar() {
       .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
         return std::make_unique<Epipolar>(line_settings(s),
                                           MarchSteps{.count = s.whole("steps"), .sun_disc = s.whole("sun") == 1});
-      }};
+      },
+      .shows_texels = true};
   info.knobs.push_back(steps(256));
   info.knobs.push_back(sun());
   return info;
@@ -164,7 +166,8 @@ ShaftTechniqueInfo minmax() {
                  "minmax:line_px=1,sample_px=16,tolerance=0.02", "minmax:line_px=0.5,sample_px=8,tolerance=0.005"},
       .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
         return std::make_unique<Epipolar>(line_settings(s));
-      }};
+      },
+      .shows_texels = true};
 }
 
 // Those of this library, and what add_shaft_technique() adds.

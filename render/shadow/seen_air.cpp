@@ -1,0 +1,128 @@
+#include "render/shadow/seen_air.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+#include "render/gl/read_back.h"
+
+namespace render {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr int kSteps = 32;  // of a fit's size
+
+struct Stretch {
+  double from = 0.0;
+  double to = kInfinite;
+
+  // Keeps what lies between two planes: where origin + t * direction is within [low, high].
+  void cut(double origin, double direction, double low, double high) {
+    if (direction == 0.0) {
+      if (origin < low || origin > high) to = -1.0;
+      return;
+    }
+    const double a = (low - origin) / direction;
+    const double b = (high - origin) / direction;
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+};
+
+// In a fit's coordinates, across the light.
+struct Rectangle {
+  glm::dvec2 low{kInfinite};
+  glm::dvec2 high{-kInfinite};
+
+  void add(const glm::dvec2& at, const glm::dvec2& margin) {
+    low = glm::min(low, at - margin);
+    high = glm::max(high, at + margin);
+  }
+};
+
+// The distance of the farthest thing in the tiles around a corner of them.
+double reach_at_corner(const SeenDepth& seen, int column, int row) {
+  double reach = 0.0;
+  for (int y = std::max(row - 1, 0); y <= std::min(row, seen.rows - 1); ++y) {
+    for (int x = std::max(column - 1, 0); x <= std::min(column, seen.columns - 1); ++x) {
+      reach = std::max(reach, seen.axis_distance_m[static_cast<std::size_t>(y * seen.columns + x)]);
+    }
+  }
+  return reach;
+}
+
+}  // namespace
+
+SeenDepth SeenDepthPass::read(const View& view, GLuint depth) {
+  SeenDepth seen;
+  seen.columns = (view.width + SeenDepth::kTilePx - 1) / SeenDepth::kTilePx;
+  seen.rows = (view.height + SeenDepth::kTilePx - 1) / SeenDepth::kTilePx;
+  seen.axis_distance_m.assign(static_cast<std::size_t>(seen.columns) * static_cast<std::size_t>(seen.rows), kInfinite);
+  if (depth == 0) return seen;
+  if (farthest_.width() != seen.columns || farthest_.height() != seen.rows) {
+    farthest_ = gl::Texture(GL_R32F, seen.columns, seen.rows, gl::Filter::Nearest, 1, "farthest in tiles");
+    framebuffer_ = gl::Framebuffer({&farthest_}, nullptr, "farthest in tiles");
+  }
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_CULL_FACE);
+  framebuffer_.bind();
+  program_.use();
+  program_.set("view_depth", 0);
+  program_.set("tile_px", SeenDepth::kTilePx);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, depth);
+  gl::draw_full_screen(no_vertices_);
+  const std::vector<float> found = gl::read_red(farthest_.id(), seen.columns, seen.rows);
+  std::ranges::transform(found, seen.axis_distance_m.begin(), [](float value) {
+    return value < 1.0F ? View::kNearM / std::max(1.0 - static_cast<double>(value), 1e-12) : kInfinite;
+  });
+  return seen;
+}
+
+ShadowFit fit_to_seen_air(const ShadowFit& whole, int size_px, const View& view, const Medium& medium,
+                          const SeenDepth& seen) {
+  if (whole.empty) return whole;
+  const glm::dmat4 map_from_local = whole.map_from_world * glm::inverse(view.local_from_world());
+  const glm::dvec3 eye(map_from_local[3]);
+  const glm::dmat3 ray_from_px = view.local_ray_from_px();
+  // Rays between a tile's corners are no farther to the side than this, for each metre along the axis.
+  const double spread = 0.75 * SeenDepth::kTilePx / std::min(view.focal_px.x, view.focal_px.y);
+  const glm::dvec2 size_m(whole.metres_per_unit);
+  Rectangle air;
+  for (int row = 0; row <= seen.rows; ++row) {
+    for (int column = 0; column <= seen.columns; ++column) {
+      const glm::dvec3 ray = ray_from_px * glm::dvec3(column * SeenDepth::kTilePx, row * SeenDepth::kTilePx, 1.0);
+      const glm::dvec3 along = glm::dmat3(map_from_local) * ray;
+      Stretch stretch{0.0, reach_at_corner(seen, column, row)};
+      for (int axis = 0; axis < 2; ++axis) stretch.cut(eye[axis], along[axis], 0.0, 1.0);
+      stretch.cut(eye.z, along.z, 0.0, kInfinite);
+      for (int axis = 0; axis < 3 && medium.extent; ++axis) {
+        stretch.cut(0.0, ray[axis], medium.extent->min_in_world[axis] - view.eye_in_world[axis],
+                    medium.extent->max_in_world[axis] - view.eye_in_world[axis]);
+      }
+      if (stretch.to < stretch.from) continue;
+      // A ray along the light stays over one place.
+      const double end = std::isfinite(stretch.to) ? stretch.to : stretch.from;
+      for (const double t : {stretch.from, end}) air.add(glm::dvec2(eye + t * along), t * spread / size_m);
+    }
+  }
+  ShadowFit fit = whole;
+  fit.cut = true;
+  fit.empty = air.low.x > air.high.x;
+  if (fit.empty) return fit;
+  const glm::dvec2 margin(3.0 / size_px);
+  const glm::dvec2 low =
+      glm::clamp(glm::floor((air.low - margin) * double{kSteps}), 0.0, kSteps - 1.0) / double{kSteps};
+  const glm::dvec2 high =
+      glm::clamp(glm::ceil((air.high + margin) * double{kSteps}), 1.0, double{kSteps}) / double{kSteps};
+  const glm::dvec2 part = glm::max(high - low, 1.0 / kSteps);
+  fit.map_from_world = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / part, 1.0)) *
+                       glm::translate(glm::dmat4(1.0), glm::dvec3(-low, 0.0)) * whole.map_from_world;
+  fit.metres_per_unit *= glm::dvec3(part, 1.0);
+  return fit;
+}
+
+}  // namespace render

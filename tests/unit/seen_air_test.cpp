@@ -1,0 +1,135 @@
+// The part of a shadow map that seen air takes up.
+#include "render/shadow/seen_air.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <random>
+
+namespace render {
+namespace {
+
+constexpr int kMapPx = 1024;
+
+// A map of 20 x 16 x 18 m round a place, seen along the light.
+ShadowFit whole_map(const glm::dvec3& sun, const glm::dvec3& middle_in_world) {
+  const glm::dvec3 size(20.0, 16.0, 18.0);
+  const glm::dmat4 light_from_world(glm::transpose(world_from_light(sun)));
+  const glm::dvec3 low = glm::dvec3(light_from_world * glm::dvec4(middle_in_world, 1.0)) - 0.5 * size;
+  ShadowFit fit;
+  fit.map_from_world =
+      glm::scale(glm::dmat4(1.0), 1.0 / size) * glm::translate(glm::dmat4(1.0), -low) * light_from_world;
+  fit.metres_per_unit = size;
+  fit.empty = false;
+  return fit;
+}
+
+View view_at(const glm::dvec3& eye, double heading, double pitch) {
+  const glm::dvec3 forward(std::sin(heading) * std::cos(pitch), std::cos(heading) * std::cos(pitch), std::sin(pitch));
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
+  View view;
+  view.width = 320;
+  view.height = 200;
+  view.eye_in_world = eye;
+  view.world_from_camera = glm::dmat3(right, glm::cross(forward, right), forward);
+  view.focal_px = {240.0, 240.0};
+  view.centre_px = {160.0, 100.0};
+  return view;
+}
+
+SeenDepth depth_of(const View& view, std::mt19937& random) {
+  SeenDepth seen;
+  seen.columns = (view.width + SeenDepth::kTilePx - 1) / SeenDepth::kTilePx;
+  seen.rows = (view.height + SeenDepth::kTilePx - 1) / SeenDepth::kTilePx;
+  std::uniform_real_distribution<double> distance(0.5, 40.0);
+  for (int i = 0; i < seen.columns * seen.rows; ++i) {
+    const double d = distance(random);
+    seen.axis_distance_m.push_back(d > 35.0 ? std::numeric_limits<double>::infinity() : d);
+  }
+  return seen;
+}
+
+// Every place of seen air that is behind the whole map is behind the part.
+TEST(SeenAir, PartHoldsAllOfIt) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  int inside = 0;
+  for (int run = 0; run < 200; ++run) {
+    const glm::dvec3 sun = glm::normalize(glm::dvec3(unit(random), unit(random), 0.05 + std::abs(unit(random))));
+    const glm::dvec3 origin = run % 4 == 0 ? glm::dvec3(9000.0, -7000.0, 30.0) : glm::dvec3(0.0);
+    const ShadowFit whole = whole_map(sun, origin);
+    const glm::dvec3 eye = origin + 12.0 * glm::dvec3(unit(random), unit(random), unit(random));
+    const View view = view_at(eye, 3.2 * unit(random), 1.3 * unit(random));
+    Medium medium{.extinction_per_m = 0.02};
+    if (run % 3 == 0) medium.extent = Box{origin - glm::dvec3(6, 7, 3), origin + glm::dvec3(8, 5, 4)};
+    const SeenDepth seen = depth_of(view, random);
+    const ShadowFit part = fit_to_seen_air(whole, kMapPx, view, medium, seen);
+    for (int i = 0; i < 2000; ++i) {
+      const glm::dvec2 px(0.5 * view.width * (1.0 + unit(random)), 0.5 * view.height * (1.0 + unit(random)));
+      const int tile =
+          static_cast<int>(px.y) / SeenDepth::kTilePx * seen.columns + static_cast<int>(px.x) / SeenDepth::kTilePx;
+      const double reach = std::min(seen.axis_distance_m[static_cast<std::size_t>(tile)], 200.0);
+      const glm::dvec3 at = eye + 0.5 * (1.0 + unit(random)) * reach * (view.local_ray_from_px() * glm::dvec3(px, 1.0));
+      const glm::dvec3 in_whole(whole.map_from_world * glm::dvec4(at, 1.0));
+      if (in_whole.z < 0.0 || glm::any(glm::lessThan(glm::dvec2(in_whole), glm::dvec2(0.0))) ||
+          glm::any(glm::greaterThan(glm::dvec2(in_whole), glm::dvec2(1.0)))) {
+        continue;
+      }
+      if (medium.extent && (glm::any(glm::lessThan(at, medium.extent->min_in_world)) ||
+                            glm::any(glm::greaterThan(at, medium.extent->max_in_world)))) {
+        continue;
+      }
+      ++inside;
+      ASSERT_FALSE(part.empty) << "run " << run;
+      const glm::dvec3 in_part(part.map_from_world * glm::dvec4(at, 1.0));
+      for (int axis = 0; axis < 2; ++axis) {
+        ASSERT_GE(in_part[axis], 0.0) << "run " << run;
+        ASSERT_LE(in_part[axis], 1.0) << "run " << run;
+      }
+      ASSERT_NEAR(in_part.z, in_whole.z, 1e-9);
+    }
+  }
+  EXPECT_GT(inside, 20000);
+}
+
+TEST(SeenAir, PartIsSmallWhereTheViewEndsEarly) {
+  const glm::dvec3 sun = glm::normalize(glm::dvec3(0.3, 1.0, 0.5));
+  const ShadowFit whole = whole_map(sun, glm::dvec3(0.0));
+  const View view = view_at({0.0, -2.0, 0.0}, 0.0, 0.0);
+  SeenDepth seen{.columns = 20, .rows = 13, .axis_distance_m = std::vector<double>(260, 3.0)};
+  const ShadowFit part = fit_to_seen_air(whole, kMapPx, view, {.extinction_per_m = 0.02}, seen);
+  ASSERT_FALSE(part.empty);
+  // A pyramid of 4 x 2.5 x 3 m, and a step of 1/32 to each side.
+  EXPECT_LT(part.metres_per_unit.x, 0.5 * whole.metres_per_unit.x);
+  EXPECT_LT(part.metres_per_unit.y, 0.5 * whole.metres_per_unit.y);
+  EXPECT_EQ(part.metres_per_unit.z, whole.metres_per_unit.z);
+}
+
+TEST(SeenAir, NoneBehindTheCastersNeedsNoMap) {
+  const glm::dvec3 sun(0.0, 0.0, 1.0);
+  const ShadowFit whole = whole_map(sun, glm::dvec3(0.0));
+  const View above = view_at({0.0, 0.0, 30.0}, 0.0, 0.4);  // looks away, above all of them
+  SeenDepth seen{.columns = 20, .rows = 13, .axis_distance_m = std::vector<double>(260, 50.0)};
+  EXPECT_TRUE(fit_to_seen_air(whole, kMapPx, above, {.extinction_per_m = 0.02}, seen).empty);
+  EXPECT_TRUE(fit_to_seen_air(ShadowFit{}, kMapPx, above, {.extinction_per_m = 0.02}, seen).empty);
+}
+
+// A moving eye keeps its map for some frames.
+TEST(SeenAir, PartStaysWhileTheViewMovesALittle) {
+  const ShadowFit whole = whole_map(glm::normalize(glm::dvec3(0.3, 1.0, 0.5)), glm::dvec3(0.0));
+  SeenDepth seen{.columns = 20, .rows = 13, .axis_distance_m = std::vector<double>(260, 3.0)};
+  int changes = 0;
+  ShadowFit last;
+  for (int i = 0; i < 100; ++i) {
+    const View view = view_at({0.01 * i, -2.0, 0.0}, 0.0, 0.0);
+    const ShadowFit part = fit_to_seen_air(whole, kMapPx, view, {.extinction_per_m = 0.02}, seen);
+    changes += part != last ? 1 : 0;
+    last = part;
+  }
+  EXPECT_LE(changes, 12);  // a metre is 1.6 to 2 steps, each of four sides at its own time; and the first
+}
+
+}  // namespace
+}  // namespace render
