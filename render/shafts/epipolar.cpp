@@ -45,14 +45,23 @@ void Epipolar::bind(const gl::Program& program, const ShaftInputs& inputs, const
 }
 
 void Epipolar::draw_samples(const ShaftInputs& inputs, const LineLayout& layout) {
-  const int width = layout.places + 1;
-  if (samples_.width() != width || samples_.height() < layout.rows) {
-    samples_ = gl::Texture(GL_RG32F, width, layout.rows, gl::Filter::Nearest, 1, "samples on lines");
+  if (samples_.width() != layout.samples || samples_.height() < layout.rows) {
+    const int rows = layout.rows;
+    samples_ = gl::Texture(GL_RGBA32F, layout.samples, rows, gl::Filter::Nearest, 1, "samples on lines");
+    pairs_ = gl::Texture(GL_RGBA32F, layout.samples - 1, rows, gl::Filter::Nearest, 1, "pairs of samples");
     to_samples_ = gl::Framebuffer({&samples_}, nullptr, "samples on lines");
+    to_pairs_ = gl::Framebuffer({&pairs_}, nullptr, "pairs of samples");
   }
   to_samples_.bind();
-  confine_to({0, 0, width, layout.rows});
+  confine_to({0, 0, layout.samples, layout.rows});
   bind(sample_.use(inputs, layout.picture_px), inputs, layout);
+  gl::draw_full_screen(no_vertices_);
+  to_pairs_.bind();
+  pair_.use();
+  pair_.set("samples", kSamplesUnit);
+  pair_.set("samples_texel", 1.0F / glm::vec2(samples_.width(), samples_.height()));
+  pair_.set("tolerance", static_cast<float>(settings_.tolerance));
+  samples_.bind(kSamplesUnit);
   gl::draw_full_screen(no_vertices_);
 }
 
@@ -63,11 +72,10 @@ void Epipolar::draw_picture(const ShaftInputs& inputs, const LineLayout& layout)
   // What samples tell is drawn nearest, whatever is there; the rest before the farthest.
   const gl::Program& between = between_.use(inputs, size_px);
   layout.set(between);
-  between.set("tolerance", static_cast<float>(settings_.tolerance));
   between.set("depth_tolerance", kDepthTolerance);
-  between.set("samples", kSamplesUnit);
-  between.set("samples_texel", 1.0F / glm::vec2(samples_.width(), samples_.height()));
-  samples_.bind(kSamplesUnit);
+  between.set("pairs", kSamplesUnit);
+  between.set("pairs_texel", 1.0F / glm::vec2(pairs_.width(), pairs_.height()));
+  pairs_.bind(kSamplesUnit);
   glDepthFunc(GL_ALWAYS);
   glDepthRangef(0.0F, 0.0F);
   gl::draw_full_screen(no_vertices_);

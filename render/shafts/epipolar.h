@@ -41,10 +41,13 @@ class Epipolar : public ShaftTechnique {
   CasterMap casters_{1};
   SliceTrees trees_;
   AirProgram sample_;
+  gl::Program pair_{"lib/full_screen.vert", "shafts/line_pairs.frag"};
   AirProgram between_;  // pixels that samples tell
   AirProgram alone_;    // all others
   gl::Texture samples_;
+  gl::Texture pairs_;
   gl::Framebuffer to_samples_;
+  gl::Framebuffer to_pairs_;
   gl::VertexArray no_vertices_;
   ShaftTarget target_{true};
   ClosedForm open_;

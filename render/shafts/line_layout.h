@@ -9,12 +9,13 @@ namespace render {
 
 // Where the epipolar lines of a picture lie, and how densely they are sampled (shaders/shafts/lines.glsl).
 struct LineLayout {
-  glm::dvec3 sun_in_px{0.0};  // the sun's direction projected, homogeneous; z < 0: behind the eye
+  glm::dvec3 sun_in_px{0.0};  // the sun's direction projected, homogeneous, z >= 0; behind the eye: negated
   glm::ivec2 picture_px{0};
   glm::ivec4 side_first{0};  // row of the first line that ends on the left, right, top, bottom border
   glm::ivec4 side_count{0};
   int rows = 0;
-  int places = 1;  // samples on a line, less one
+  double sample_px = 1.0;  // from sample to sample, counted from a line's end; the last lies where the line begins
+  int samples = 2;         // on the longest line
 
   // Where the line of that row ends on the picture's border, pixels.
   glm::dvec2 end_px(int row) const;
@@ -22,8 +23,8 @@ struct LineLayout {
   void set(const gl::Program& program) const;
 };
 
-// Lines that end `line_px` pixels apart on the borders that face away from the sun, with samples at most `sample_px`
-// apart, in a picture of that size.
+// Lines that end `line_px` pixels apart on the borders that face away from the sun (farther where there would be too
+// many for a texture's rows), with samples `sample_px` apart, in a picture of that size.
 LineLayout lay_out_lines(const ShaftInputs& inputs, const glm::ivec2& picture_px, double line_px, double sample_px);
 
 }  // namespace render

@@ -20,43 +20,45 @@ precision highp float;
 #ifdef ALONE
 #include "shafts/line_lit.glsl"
 #else
-uniform highp sampler2D samples;  // line_samples.frag
-uniform vec2 samples_texel;       // 1 / size
-uniform float places;             // samples on a line, less one
-uniform int rows;                 // lines
-uniform float tolerance;          // of the lit part, from one sample to the next
-uniform float depth_tolerance;    // relative, of the distance
+uniform highp sampler2D pairs;   // line_pairs.frag
+uniform vec2 pairs_texel;        // 1 / size
+uniform float depth_tolerance;   // relative, of the distance
 #endif
 
 layout(location = 0) out vec4 scattered;
 layout(location = 1) out float distance_along_axis;
 
 #ifdef ALONE
-float lit_part(float z, Ray ray, Air air, vec2 stretch) {
-  return lit_share(int(row_and_place(gl_FragCoord.xy).x + 0.5), ray, air, stretch);
+float sunlight_seen(float z, Ray ray, Air air, vec2 stretch, float all) {
+  return all * lit_share(int(on_line(gl_FragCoord.xy).row + 0.5), ray, air, stretch).x;
 }
 #else
-// x: lit part; y: 1 where the two samples of one line tell it.
-vec2 between(vec2 lit, vec2 nearness, float part, float own_nearness) {
-  float middle = mix(nearness.x, nearness.y, part);
-  // One over the distance is linear along a line on a flat surface.
-  bool same_surface = abs(middle - own_nearness) <= depth_tolerance * max(middle, own_nearness);
-  // Where both are fully lit or fully dark to farther away, the pixel is too.
-  bool nearer = lit.x == lit.y && (lit.x == 0.0 || lit.x == 1.0) && own_nearness >= max(nearness.x, nearness.y);
-  return vec2(mix(lit.x, lit.y, part), nearer || (same_surface && abs(lit.x - lit.y) <= tolerance) ? 1.0 : 0.0);
+// x: sunlight that gets past the casters; y: 1 where the two samples of one line tell it.
+vec2 between(vec4 pair, float part, float nearness, float all) {
+  vec2 ends = abs(pair.zw);
+  float spread = ends.y - ends.x;
+  float margin = depth_tolerance * max(ends.x, ends.y);
+  // One over the distance is linear along a line on a flat surface. At the edge of a nearer thing the pixel takes the
+  // value of the side that it is on; what is kept never grows less with the distance, so between two distances it is
+  // between the two values.
+  float place = abs(spread) <= margin ? part : clamp((nearness - ends.x) / spread, 0.0, 1.0);
+  bool in_range = nearness >= min(ends.x, ends.y) - margin && nearness <= max(ends.x, ends.y) + margin;
+  // And where both are shaded throughout, to farther away, the pixel is too.
+  bool nearer = pair.z > 0.0 && pair.x == 0.0 && pair.y == 0.0 && nearness >= min(ends.x, ends.y);
+  float kept = mix(pair.x, pair.y, place);
+  return vec2(clamp(pair.z < 0.0 ? all - kept : kept, 0.0, all), in_range || nearer ? 1.0 : 0.0);
 }
 
-float lit_part(float z, Ray ray, Air air, vec2 stretch) {
-  vec2 at = row_and_place(gl_FragCoord.xy);
-  float row = clamp(floor(at.x), 0.0, float(rows) - 1.0);
-  float place = at.y * places;
-  float column = clamp(floor(place), 0.0, places - 1.0);
-  vec2 corner = (vec2(column, row) + 1.0) * samples_texel;
-  vec4 lit = textureGather(samples, corner, 0);  // of (0, 1), (1, 1), (1, 0), (0, 0)
-  vec4 nearness = textureGather(samples, corner, 1);
-  vec2 one = between(lit.wz, nearness.wz, place - column, 1.0 / z);
-  vec2 other = between(lit.xy, nearness.xy, place - column, 1.0 / z);
-  float beside = at.x - row;
+float sunlight_seen(float z, Ray ray, Air air, vec2 stretch, float all) {
+  OnLine at = on_line(gl_FragCoord.xy);
+  float row = floor(at.row);
+  float column = floor(at.ahead_px / sample_px);
+  float from_px = column * sample_px;
+  float part = clamp((at.ahead_px - from_px) / max(min(from_px + sample_px, at.whole_px) - from_px, 1e-6), 0.0, 1.0);
+  vec2 texel = (vec2(column, row) + 0.5) * pairs_texel;
+  vec2 one = between(textureLod(pairs, texel, 0.0), part, 1.0 / z, all);
+  vec2 other = between(textureLod(pairs, texel + vec2(0.0, pairs_texel.y), 0.0), part, 1.0 / z, all);
+  float beside = at.row - row;
   vec2 weights = vec2(1.0 - beside, beside) * vec2(one.y, other.y);
   float weight = weights.x + weights.y;
   if (weight < 0.3 && stretch.y > stretch.x) discard;
@@ -70,5 +72,6 @@ void main() {
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
   distance_along_axis = z;
-  scattered = shaded_air(ray, air, stretch, lit_part(z, ray, air, stretch) * sunlight_of(air, stretch));
+  float all = sunlight_of(air, stretch);
+  scattered = shaded_air(ray, air, stretch, sunlight_seen(z, ray, air, stretch, all));
 }

@@ -14,17 +14,19 @@ precision highp float;
 #include "shafts/lines.glsl"
 #include "shafts/line_lit.glsl"
 
-uniform float places;  // samples on a line, less one
-
-layout(location = 0) out vec2 lit_and_nearness;  // lit part of the sunlight; 1 / distance along the axis
+layout(location = 0) out vec4 sampled;  // lit and dark sunlight; 1 / distance along the axis; 1: its end is lit
 
 void main() {
-  int row = int(gl_FragCoord.y);
+  float row = floor(gl_FragCoord.y);
+  float place_px = floor(gl_FragCoord.x) * sample_px;
   Line line = line_of_row(row);
-  vec2 px = mix(line.start, line.end, (gl_FragCoord.x - 0.5) / places);
+  vec2 px = line.end + line.back * min(place_px, line.length_px);
   float z = distance_at(px * view_px_per_px, false);
   Ray ray = view_ray(px);
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
-  lit_and_nearness = vec2(lit_share(row, ray, air, stretch), 1.0 / z);
+  float all = sunlight_of(air, stretch);
+  if (place_px >= line.length_px + sample_px) stretch = vec2(0.0);  // the line has begun already
+  vec2 lit = lit_share(int(row), ray, air, stretch);
+  sampled = vec4(all * lit.x, all * (1.0 - lit.x), 1.0 / z, lit.y);
 }

@@ -26,6 +26,6 @@ void main() {
   Air air = air_along(ray, stretch.x);
   distance_along_axis = z;
   vec2 marched = marched_stretch(ray.direction, air, stretch);
-  float lit = march(ray, air, marched, marched_reach(ray.direction, stretch));
+  float lit = march(ray, air, marched, marched_reach(ray.direction, stretch)).x;
   scattered = shaded_air(ray, air, stretch, sunlight_when(lit, ray.direction, air, stretch, marched));
 }

@@ -20,5 +20,5 @@ void main() {
   Ray ray = view_ray(gl_FragCoord.xy);
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
-  lit_and_distance = vec2(lit_share(0, ray, air, stretch), z);
+  lit_and_distance = vec2(lit_share(0, ray, air, stretch).x, z);
 }

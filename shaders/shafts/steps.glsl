@@ -30,8 +30,9 @@ float step_start(int i, Air air, vec2 stretch) {
 #endif
 }
 
-// Part of the sunlight, from where the stretch begins to its reach, that gets past the casters; 1 for an empty one.
-float march(Ray ray, Air air, vec2 stretch, float reach) {
+// x: part of the sunlight, from where the stretch begins to its reach, that gets past the casters; 1 for an empty one.
+// y: and at its end.
+vec2 march(Ray ray, Air air, vec2 stretch, float reach) {
   vec3 origin = map_from_local[3].xyz;
   vec3 along = mat3(map_from_local) * ray.direction;
   float from = stretch.x;
@@ -60,5 +61,5 @@ float march(Ray ray, Air air, vec2 stretch, float reach) {
   float rest = count > 0 ? sunlight_between(mark, mark_at(air, reach)) : 0.0;
   all += rest;
   lit += rest * seen;
-  return all > 0.0 ? lit / all : 1.0;
+  return vec2(all > 0.0 ? lit / all : 1.0, seen);
 }
