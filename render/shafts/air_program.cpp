@@ -76,6 +76,17 @@ void set_view(const gl::Program& program, const ShaftInputs& inputs, const glm::
   glBindTexture(GL_TEXTURE_2D, inputs.depth);
 }
 
+// Of the cells whose corners alone know the sky's light: the largest power of two, for a software rasteriser's tiles, at
+// which interpolation is off by a thousandth of the harmonics' second band, and at most that of such a tile.
+int cell_px(const View& view, const glm::ivec2& size_px) {
+  constexpr double kCellRad = 0.055;
+  constexpr int kTilePx = 64;
+  const double focal_px = std::min(view.focal_px.x * size_px.x / view.width, view.focal_px.y * size_px.y / view.height);
+  int size = 1;
+  while (size < kTilePx && 2.0 * size <= kCellRad * focal_px) size *= 2;
+  return size;
+}
+
 }  // namespace
 
 int AirProgram::variant_of(const ShaftInputs& inputs, const glm::ivec2& size_px) const {
@@ -111,14 +122,29 @@ const gl::Program& AirProgram::use(const ShaftInputs& inputs, const glm::ivec2& 
   const int variant = variant_of(inputs, size_px);
   auto found = variants_.find(variant);
   if (found == variants_.end()) {
-    found = variants_.emplace(variant, gl::Program("lib/full_screen.vert", path_, defines_of(variant))).first;
+    found = variants_.emplace(variant, gl::Program(sky_at_corners_ ? "shafts/cells.vert" : "lib/full_screen.vert", path_, defines_of(variant))).first;
   }
   found->second.use();
   set_view(found->second, inputs, size_px);
   set_medium(found->second, inputs);
   set_light(found->second, inputs.scene);
   if (sun_disc_) set_sun_disc(found->second, inputs);
+  if (sky_at_corners_) set_cells(found->second, inputs.view, size_px);
   return found->second;
+}
+
+void AirProgram::set_cells(const gl::Program& program, const View& view, const glm::ivec2& size_px) {
+  const int size = cell_px(view, size_px);
+  cells_ = (size_px + size - 1) / size;
+  program.set("columns", cells_.x);
+  program.set("cell_px", static_cast<float>(size));
+  program.set("half_size_px", 0.5F * glm::vec2(size_px));
+}
+
+void AirProgram::draw() const {
+  if (!sky_at_corners_) return gl::draw_full_screen(no_vertices_);
+  no_vertices_.bind();
+  glDrawArrays(GL_TRIANGLES, 0, 6 * cells_.x * cells_.y);
 }
 
 void AirProgram::release() const {

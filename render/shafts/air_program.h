@@ -3,33 +3,47 @@
 #include <map>
 #include <string>
 
+#include "render/gl/buffer.h"
 #include "render/gl/program.h"
 #include "render/shafts/shaft_technique.h"
 
 namespace render {
 
 // A fragment shader over shaders/shafts/ray.glsl in the variants that media and views ask for (NO_DEPTH, DIVIDED,
-// BOUNDED, FALLOFF), each made when first used.
+// BOUNDED, FALLOFF), each made when first used. Software rasterisers draw pixels at the rims of cells twice: cheap shaders
+// take the sky's light from the cells' corners (SkyAtCorners), costly ones compute it.
 class AirProgram {
  public:
   // With `sun_disc` for the shader to look at the sun as a disc (SUN_DISC, VIRTUAL_CASTERS, REAL_CASTERS).
   explicit AirProgram(std::string fragment_path, gl::Defines defines = {}, bool sun_disc = false)
       : path_(std::move(fragment_path)), defines_(std::move(defines)), sun_disc_(sun_disc) {}
+  struct SkyAtCorners {};
+  AirProgram(SkyAtCorners, std::string fragment_path, gl::Defines defines = {})
+      : path_(std::move(fragment_path)), defines_(std::move(defines)), sky_at_corners_(true) {
+    defines_.push_back({"SKY_AT_CORNERS"});
+  }
 
   // In use, with all that ray.glsl, view_depth.glsl and shade.glsl need for a picture of that size, on texture unit 0;
   // and what sun_map.glsl does where the sun is a disc, on units 2 to 7, which release() lets go of.
   const gl::Program& use(const ShaftInputs& inputs, const glm::ivec2& size_px);
   void release() const;
 
+  // Draws that picture with the program in use: in cells for a shader with SKY_AT_CORNERS, else as a whole.
+  void draw() const;
+
  private:
   int variant_of(const ShaftInputs& inputs, const glm::ivec2& size_px) const;
   gl::Defines defines_of(int variant) const;
+  void set_cells(const gl::Program& program, const View& view, const glm::ivec2& size_px);
   void set_sun_disc(const gl::Program& program, const ShaftInputs& inputs) const;
 
   std::string path_;
   gl::Defines defines_;
-  bool sun_disc_;
+  bool sun_disc_ = false;
+  bool sky_at_corners_ = false;
   std::map<int, gl::Program> variants_;
+  glm::ivec2 cells_{0};  // of the picture that is to be drawn
+  gl::VertexArray no_vertices_;
 };
 
 }  // namespace render

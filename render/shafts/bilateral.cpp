@@ -31,7 +31,7 @@ const ShaftPicture& Bilateral::draw(const ShaftInputs& inputs) {
   upscale.set("small_px_per_px", glm::vec2(small_px) / glm::vec2(size_px));
   upscale.set("radius", radius_px_);
   small_.bind(1);
-  gl::draw_full_screen(no_vertices_);
+  upscale_.draw();
   glDisable(GL_SCISSOR_TEST);
   return target_.picture();
 }

@@ -30,7 +30,7 @@ class Bilateral : public ShaftTechnique {
   int radius_px_;
   CasterMap casters_{1};
   AirProgram march_;
-  AirProgram upscale_{"shafts/bilateral.frag"};
+  AirProgram upscale_{AirProgram::SkyAtCorners{}, "shafts/bilateral.frag"};
   gl::Texture small_;
   gl::Framebuffer to_small_;
   gl::VertexArray no_vertices_;

@@ -14,16 +14,15 @@ class ClosedForm : public ShaftTechnique {
     const glm::ivec2 size_px = shaft_size(inputs.view, divisor_);
     target_.begin(inputs, size_px);
     shade_.use(inputs, size_px);
-    gl::draw_full_screen(no_vertices_);
+    shade_.draw();
     glDisable(GL_SCISSOR_TEST);
     return target_.picture();
   }
 
  private:
   int divisor_;
-  AirProgram shade_{"shafts/shade.frag"};
+  AirProgram shade_{AirProgram::SkyAtCorners{}, "shafts/shade.frag"};
   ShaftTarget target_;
-  gl::VertexArray no_vertices_;
 };
 
 }  // namespace render

@@ -20,7 +20,7 @@ gl::Defines with(gl::Defines defines, const char* name) {
 Epipolar::Epipolar(const LineSettings& settings, const gl::Defines& defines, bool sun_disc)
     : settings_(settings),
       sample_("shafts/line_samples.frag", defines, sun_disc),
-      between_("shafts/line_picture.frag"),
+      between_(AirProgram::SkyAtCorners{}, "shafts/line_picture.frag"),
       alone_("shafts/line_picture.frag", with(defines, "ALONE"), sun_disc),
       open_(settings.divisor) {}
 
@@ -78,11 +78,11 @@ void Epipolar::draw_picture(const ShaftInputs& inputs, const LineLayout& layout)
   pairs_.bind(kSamplesUnit);
   glDepthFunc(GL_ALWAYS);
   glDepthRangef(0.0F, 0.0F);
-  gl::draw_full_screen(no_vertices_);
+  between_.draw();
   glDepthRangef(0.0F, 1.0F);
   glDepthFunc(GL_LESS);
   bind(alone_.use(inputs, size_px), inputs, layout);
-  gl::draw_full_screen(no_vertices_);
+  alone_.draw();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_SCISSOR_TEST);
 }

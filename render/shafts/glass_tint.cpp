@@ -33,7 +33,7 @@ const ShaftPicture& GlassTint::draw(const ShaftInputs& inputs) {
   program.set("untinted", kPictureUnit);
   glActiveTexture(GL_TEXTURE0 + kPictureUnit);
   glBindTexture(GL_TEXTURE_2D, untinted.texture);
-  gl::draw_full_screen(no_vertices_);
+  (casters_.empty() ? alone_ : among_casters_).draw();
   if (!casters_.empty()) CasterMap::unbind(kMapUnit);
   picture_ = untinted;
   picture_.texture = tinted_.id();

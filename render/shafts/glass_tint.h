@@ -27,7 +27,6 @@ class GlassTint : public ShaftTechnique {
   AirProgram among_casters_{"shafts/glass.frag", {{"CASTERS"}}};
   gl::Texture tinted_;
   gl::Framebuffer framebuffer_;
-  gl::VertexArray no_vertices_;
   ShaftPicture picture_;
 };
 

@@ -48,7 +48,7 @@ const ShaftPicture& Interleaved::draw(const ShaftInputs& inputs) {
   target_.begin(inputs, size_px);
   shade_.use(inputs, size_px).set("lit_and_distance", 1);
   lit_[1].bind(1);
-  gl::draw_full_screen(no_vertices_);
+  shade_.draw();
   glDisable(GL_SCISSOR_TEST);
   return target_.picture();
 }

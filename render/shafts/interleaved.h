@@ -27,7 +27,7 @@ class Interleaved : public ShaftTechnique {
   CasterMap casters_{2};
   AirProgram march_{"shafts/interleaved.frag"};
   gl::Program blur_{"lib/full_screen.vert", "shafts/blur.frag"};
-  AirProgram shade_{"shafts/shade.frag", {{"LIT"}}};
+  AirProgram shade_{AirProgram::SkyAtCorners{}, "shafts/shade.frag", {{"LIT"}}};
   std::array<gl::Texture, 2> lit_;
   std::array<gl::Framebuffer, 2> lit_target_;
   gl::VertexArray no_vertices_;

@@ -25,7 +25,7 @@ const ShaftPicture& March::draw(const ShaftInputs& inputs) {
   const gl::Program& march = march_.use(inputs, size_px);
   steps_.set(march);
   casters_.bind(march, inputs, kMapUnit);
-  gl::draw_full_screen(no_vertices_);
+  march_.draw();
   CasterMap::unbind(kMapUnit);
   march_.release();
   glDisable(GL_SCISSOR_TEST);

@@ -35,7 +35,6 @@ class March : public ShaftTechnique {
   int divisor_;
   CasterMap casters_{1};
   AirProgram march_;
-  gl::VertexArray no_vertices_;
   ShaftTarget target_;
   ClosedForm open_;
 };

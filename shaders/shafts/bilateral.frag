@@ -3,6 +3,7 @@
 // relative difference of the distances to what is seen (Tomasi & Manduchi 1998; Kopf et al. 2007, joint upsampling).
 // variant:
 // variant: NO_DEPTH
+// variant: SKY_AT_CORNERS BOUNDED
 // variant: BOUNDED
 // variant: FALLOFF
 // variant: BOUNDED FALLOFF

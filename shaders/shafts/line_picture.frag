@@ -3,6 +3,7 @@
 // agree. ALONE: every other pixel (depth edges, and steps of the light along a line), computed by itself; the depth
 // test keeps it to those. Two passes, since software rasterisers run all code of a pass for all of its pixels.
 // variant: NO_DEPTH
+// variant: SKY_AT_CORNERS BOUNDED
 // variant: DIVIDED BOUNDED
 // variant: FALLOFF
 // variant: BOUNDED FALLOFF

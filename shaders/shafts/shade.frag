@@ -1,6 +1,7 @@
 #version 310 es
 // The light of each pixel: with nothing that shades it, or (LIT) with the part of the sun's light given.
 // variant: NO_DEPTH
+// variant: SKY_AT_CORNERS BOUNDED
 // variant: BOUNDED
 // variant: FALLOFF
 // variant: LIT

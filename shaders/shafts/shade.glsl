@@ -1,12 +1,24 @@
 // Light that the medium sends to the eye, and what it lets through: closed forms, times the part of the sun's light
-// that a technique found to get past the casters. Every technique ends here. Needs shafts/ray.glsl.
-#include "scene/sh9.glsl"
+// that a technique found to get past the casters. Every technique ends here. SKY_AT_CORNERS: the sky's light, which
+// varies slowly, is interpolated between the corners of cells. Needs shafts/ray.glsl.
 
 uniform vec3 sun_direction;       // local frame
 uniform vec3 sun_scattered;       // illuminance * albedo * gain of the shafts, pre-exposed
-uniform vec3 sky_scatter_sh[9];   // sky radiance * phase moments * albedo * gain of the fog, pre-exposed
 uniform int phase_kind;
 uniform float phase_g;
+
+// Scattered from all of the sky to the eye by endless air.
+#ifdef SKY_AT_CORNERS
+in vec3 sky_light;  // cells.vert
+vec3 sky_seen(Ray ray) {
+  return sky_light;
+}
+#else
+#include "shafts/sky_scattered.glsl"
+vec3 sky_seen(Ray ray) {
+  return sky_scattered(ray.direction);
+}
+#endif
 
 // rgb: luminance; a: transmittance. `sunlit` is sunlight_of() the stretch, less what is shaded.
 vec4 shaded_air(Ray ray, Air air, vec2 stretch, float sunlit) {
@@ -14,6 +26,6 @@ vec4 shaded_air(Ray ray, Air air, vec2 stretch, float sunlit) {
   float depth = view_depth_to(air, stretch.y);
   float p = phase(phase_kind, phase_g, clamp(dot(ray.direction, sun_direction), -1.0, 1.0));
   vec3 light = sun_scattered * (p * sunlit);
-  light += max(sh9(sky_scatter_sh, ray.direction), vec3(0.0)) * scattered_fraction(depth);
+  light += sky_seen(ray) * scattered_fraction(depth);
   return vec4(min(light, vec3(60000.0)), exp(-depth));  // half floats end at 65504
 }
