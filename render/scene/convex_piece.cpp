@@ -191,7 +191,7 @@ void add_pieces(const Mesh& mesh, std::size_t index, double model_m, std::vector
   }
 }
 
-// Moller & Trumbore 1997; strictly inside the triangle and ahead of the origin.
+// Moller & Trumbore 1997; inside the triangle or on its edge, and ahead of the origin.
 bool meets(const Triangle& t, const glm::dvec3& origin, const glm::dvec3& direction) {
   const glm::dvec3 a(t[0]);
   const glm::dvec3 ab = glm::dvec3(t[1]) - a;

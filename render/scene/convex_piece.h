@@ -22,8 +22,7 @@ struct ConvexPiece {
 // place count as joined, whatever their normals.
 std::vector<ConvexPiece> find_convex_pieces(const Model& model);
 
-// Whether a ray from outside the piece meets it; `direction` need not be unit. One that meets an edge counts as
-// missing.
+// Whether a ray from outside the piece meets it, its edges too; `direction` need not be unit.
 bool meets(const ConvexPiece& piece, const glm::dvec3& origin, const glm::dvec3& direction);
 
 }  // namespace render

@@ -31,7 +31,10 @@ layout(location = 1) out float distance_along_axis;
 
 #ifdef ALONE
 float sunlight_seen(float z, Ray ray, Air air, vec2 stretch, float all) {
-  return all * lit_share(int(on_line(gl_FragCoord.xy).row + 0.5), ray, air, stretch).x;
+  // The nearest slice; halfway between two, neighbouring pixels take turns.
+  vec2 turn = fract(0.5 * floor(gl_FragCoord.xy));
+  float nearest = floor(on_line(gl_FragCoord.xy).row + (turn.x == turn.y ? 0.499 : 0.501));
+  return all * lit_share(int(nearest), ray, air, stretch).x;
 }
 #else
 // x: sunlight that gets past the casters; y: 1 where the two samples of one line tell it.

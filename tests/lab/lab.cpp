@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -20,6 +21,32 @@
 
 namespace ar::testing {
 namespace {
+
+// A test that waits for ever says which it is, and is the end: whatever it waits for would hold up all others too.
+class Patience : public ::testing::EmptyTestEventListener {
+ public:
+  static constexpr unsigned kLongestS = 180;
+
+ private:
+  void OnTestStart(const ::testing::TestInfo& test) override {
+    said_ = fmt::format("lab: {}.{} has not ended in {} seconds\n", test.test_suite_name(), test.name(), kLongestS);
+    std::signal(SIGALRM, [](int) {
+      // What a handler may call; whether it is written or not, this ends here.
+      [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, said_.data(), said_.size());
+      _exit(1);
+    });
+    alarm(kLongestS);
+  }
+  void OnTestEnd(const ::testing::TestInfo&) override { alarm(0); }
+
+  static inline std::string said_;
+};
+
+// googletest's own main() runs these tests; listeners are added before it.
+const bool patient = [] {
+  ::testing::UnitTest::GetInstance()->listeners().Append(new Patience);
+  return true;
+}();
 
 using std::chrono::steady_clock;
 
