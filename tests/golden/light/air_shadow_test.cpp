@@ -32,6 +32,12 @@ struct AirPicture {
   unsigned revision = 0;
 };
 
+class AirShadowPicture : public ::testing::Test {
+ protected:
+  LightRig& light = rig();  // whose context must be there first
+  AirShadow air;
+};
+
 AirPicture draw(AirShadow& air, const SceneState& scene, const char* shafts, bool fitted) {
   const View view = pinhole_view(scene.camera);
   rig().shadow.update(scene, view, kMapPx, rig().models);
@@ -59,7 +65,7 @@ double relative_rmse(const Pixels& found, const ReferencePicture& truth, double 
   return std::sqrt(error / total);
 }
 
-TEST(AirShadowPicture, IsNearerToTheTruthThanTheSurfacesMap) {
+TEST_F(AirShadowPicture, IsNearerToTheTruthThanTheSurfacesMap) {
   const SceneState scene = posts_near_and_far();
   std::vector<float> axis_m;
   for (const glm::vec4& p : rig().render(scene, parse_shaft_settings("closed-form:divisor=1")).distance.rgba) {
@@ -67,7 +73,6 @@ TEST(AirShadowPicture, IsNearerToTheTruthThanTheSurfacesMap) {
   }
   const ReferencePicture truth =
       ShaftReference(scene, {.sky = ReferenceSky::Open}).picture(pinhole_view(scene.camera), axis_m);
-  AirShadow air;
   for (const char* shafts : {"march:steps=1024", "minmax:line_px=1.1,sample_px=8,tolerance=0.01"}) {
     const AirPicture coarse = draw(air, scene, shafts, false);
     const AirPicture fine = draw(air, scene, shafts, true);
@@ -78,9 +83,8 @@ TEST(AirShadowPicture, IsNearerToTheTruthThanTheSurfacesMap) {
   }
 }
 
-TEST(AirShadowPicture, StillSceneIsBitEqualAndItsMapIsNotRenderedAgain) {
+TEST_F(AirShadowPicture, StillSceneIsBitEqualAndItsMapIsNotRenderedAgain) {
   const SceneState scene = posts_near_and_far();
-  AirShadow air;
   const AirPicture first = draw(air, scene, "march:steps=64", true);
   const AirPicture again = draw(air, scene, "march:steps=64", true);
   EXPECT_TRUE(first.shafts == again.shafts);
@@ -90,10 +94,9 @@ TEST(AirShadowPicture, StillSceneIsBitEqualAndItsMapIsNotRenderedAgain) {
   EXPECT_GT(draw(air, moved, "march:steps=64", true).revision, first.revision);
 }
 
-TEST(AirShadowPicture, TakesTheSurfacesMapWhereItsOwnWouldBeHardlyFiner) {
+TEST_F(AirShadowPicture, TakesTheSurfacesMapWhereItsOwnWouldBeHardlyFiner) {
   SceneState scene = posts_near_and_far();
   scene.camera = look_at(128, 96, {0.0, -60.0, 1.5}, {0.0, 10.0, 8.0}, 60.0);  // sees all of it
-  AirShadow air;
   EXPECT_FALSE(draw(air, scene, "march:steps=64", true).own_map);
 }
 
