@@ -240,7 +240,8 @@ ShadowFit fit_shadow(const SceneState& scene, const View& view, const std::vecto
   glm::dvec3 low(0.0, 0.0, all.low.z - 0.01);
   for (int axis = 0; axis < 2; ++axis) {
     // Sizes in steps of 1/8 octave, so that moving casters seldom change the texel.
-    const double needed = std::max(all.size()[axis], 1e-3) * size_px / (size_px - 2.0 * kMarginTexels - 1.0);
+    const double within_px = std::max(size_px - 2.0 * kMarginTexels - 1.0, 0.5 * size_px);  // of a tiny map, half
+    const double needed = std::max(all.size()[axis], 1e-3) * size_px / within_px;
     size[axis] = std::exp2(std::ceil(8.0 * std::log2(needed)) / 8.0);
     const double texel = size[axis] / size_px;
     const double middle = 0.5 * (all.low[axis] + all.high[axis]) - 0.5 * size[axis] - anchor[axis];
