@@ -8,8 +8,19 @@
 namespace render {
 namespace {
 
+// Of cells whose corners tell the sky's light: a tile of a software rasteriser. Smaller ones cost more than they save.
+constexpr int kLargestCellPx = 64;
+
 // A shader's variant.
-enum : int { kBounded = 1, kFalloff = 2, kNoDepth = 4, kDivided = 8, kVirtualCasters = 16, kRealCasters = 32 };
+enum : int {
+  kBounded = 1,
+  kFalloff = 2,
+  kNoDepth = 4,
+  kDivided = 8,
+  kVirtualCasters = 16,
+  kRealCasters = 32,
+  kCorners = 64
+};
 
 // Texture units of the shadow maps, compared and plain, and of their bounds.
 constexpr std::array<std::pair<Casters, int>, 2> kMapUnits{{{Casters::Virtual, 2}, {Casters::Real, 5}}};
@@ -76,14 +87,13 @@ void set_view(const gl::Program& program, const ShaftInputs& inputs, const glm::
   glBindTexture(GL_TEXTURE_2D, inputs.depth);
 }
 
-// Of the cells whose corners alone know the sky's light: the largest power of two, for a software rasteriser's tiles, at
-// which interpolation is off by a thousandth of the harmonics' second band, and at most that of such a tile.
+// Of the cells whose corners alone know the sky's light: the largest power of two, for a software rasteriser's tiles,
+// at which interpolation is off by a thousandth of the harmonics' second band, and at most that of such a tile.
 int cell_px(const View& view, const glm::ivec2& size_px) {
   constexpr double kCellRad = 0.055;
-  constexpr int kTilePx = 64;
   const double focal_px = std::min(view.focal_px.x * size_px.x / view.width, view.focal_px.y * size_px.y / view.height);
   int size = 1;
-  while (size < kTilePx && 2.0 * size <= kCellRad * focal_px) size *= 2;
+  while (size < kLargestCellPx && 2.0 * size <= kCellRad * focal_px) size *= 2;
   return size;
 }
 
@@ -92,9 +102,10 @@ int cell_px(const View& view, const glm::ivec2& size_px) {
 int AirProgram::variant_of(const ShaftInputs& inputs, const glm::ivec2& size_px) const {
   const Medium& medium = *inputs.scene.medium;
   const auto cast = [&](Casters kind) { return sun_disc_ && !inputs.casters().map(kind).fit.empty; };
-  return (medium.extent ? kBounded : 0) | (medium.falloff ? kFalloff : 0) | (inputs.depth == 0 ? kNoDepth : 0) |
-         (size_px.x < inputs.view.width ? kDivided : 0) | (cast(Casters::Virtual) ? kVirtualCasters : 0) |
-         (cast(Casters::Real) ? kRealCasters : 0);
+  const bool corners = sky_at_corners_ && cell_px(inputs.view, size_px) == kLargestCellPx;
+  return (corners ? kCorners : 0) | (medium.extent ? kBounded : 0) | (medium.falloff ? kFalloff : 0) |
+         (inputs.depth == 0 ? kNoDepth : 0) | (size_px.x < inputs.view.width ? kDivided : 0) |
+         (cast(Casters::Virtual) ? kVirtualCasters : 0) | (cast(Casters::Real) ? kRealCasters : 0);
 }
 
 gl::Defines AirProgram::defines_of(int variant) const {
@@ -103,6 +114,7 @@ gl::Defines AirProgram::defines_of(int variant) const {
   if ((variant & kFalloff) != 0) defines.push_back({"FALLOFF"});
   if ((variant & kNoDepth) != 0) defines.push_back({"NO_DEPTH"});
   if ((variant & kDivided) != 0) defines.push_back({"DIVIDED"});
+  if ((variant & kCorners) != 0) defines.push_back({"SKY_AT_CORNERS"});
   if (!sun_disc_) return defines;
   defines.insert(defines.end(), {{"SUN_DISC", ""}, {"BLOCKER_TAPS", "8"}, {"FILTER_TAPS", "16"}});
   if ((variant & kVirtualCasters) != 0) defines.push_back({"VIRTUAL_CASTERS"});
@@ -122,14 +134,18 @@ const gl::Program& AirProgram::use(const ShaftInputs& inputs, const glm::ivec2& 
   const int variant = variant_of(inputs, size_px);
   auto found = variants_.find(variant);
   if (found == variants_.end()) {
-    found = variants_.emplace(variant, gl::Program(sky_at_corners_ ? "shafts/cells.vert" : "lib/full_screen.vert", path_, defines_of(variant))).first;
+    found = variants_
+                .emplace(variant, gl::Program((variant & kCorners) != 0 ? "shafts/cells.vert" : "lib/full_screen.vert",
+                                              path_, defines_of(variant)))
+                .first;
   }
   found->second.use();
   set_view(found->second, inputs, size_px);
   set_medium(found->second, inputs);
   set_light(found->second, inputs.scene);
   if (sun_disc_) set_sun_disc(found->second, inputs);
-  if (sky_at_corners_) set_cells(found->second, inputs.view, size_px);
+  cells_ = glm::ivec2(0);
+  if ((variant & kCorners) != 0) set_cells(found->second, inputs.view, size_px);
   return found->second;
 }
 
@@ -142,7 +158,7 @@ void AirProgram::set_cells(const gl::Program& program, const View& view, const g
 }
 
 void AirProgram::draw() const {
-  if (!sky_at_corners_) return gl::draw_full_screen(no_vertices_);
+  if (cells_.x == 0) return gl::draw_full_screen(no_vertices_);
   no_vertices_.bind();
   glDrawArrays(GL_TRIANGLES, 0, 6 * cells_.x * cells_.y);
 }

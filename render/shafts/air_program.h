@@ -10,8 +10,8 @@
 namespace render {
 
 // A fragment shader over shaders/shafts/ray.glsl in the variants that media and views ask for (NO_DEPTH, DIVIDED,
-// BOUNDED, FALLOFF), each made when first used. Software rasterisers draw pixels at the rims of cells twice: cheap shaders
-// take the sky's light from the cells' corners (SkyAtCorners), costly ones compute it.
+// BOUNDED, FALLOFF), each made when first used. Software rasterisers draw pixels at the rims of cells twice: cheap
+// shaders take the sky's light from the cells' corners (SkyAtCorners), costly ones compute it.
 class AirProgram {
  public:
   // With `sun_disc` for the shader to look at the sun as a disc (SUN_DISC, VIRTUAL_CASTERS, REAL_CASTERS).
@@ -19,16 +19,15 @@ class AirProgram {
       : path_(std::move(fragment_path)), defines_(std::move(defines)), sun_disc_(sun_disc) {}
   struct SkyAtCorners {};
   AirProgram(SkyAtCorners, std::string fragment_path, gl::Defines defines = {})
-      : path_(std::move(fragment_path)), defines_(std::move(defines)), sky_at_corners_(true) {
-    defines_.push_back({"SKY_AT_CORNERS"});
-  }
+      : path_(std::move(fragment_path)), defines_(std::move(defines)), sky_at_corners_(true) {}
 
   // In use, with all that ray.glsl, view_depth.glsl and shade.glsl need for a picture of that size, on texture unit 0;
   // and what sun_map.glsl does where the sun is a disc, on units 2 to 7, which release() lets go of.
   const gl::Program& use(const ShaftInputs& inputs, const glm::ivec2& size_px);
   void release() const;
 
-  // Draws that picture with the program in use: in cells for a shader with SKY_AT_CORNERS, else as a whole.
+  // Draws that picture with the program in use: in cells for a shader with SKY_AT_CORNERS, where the picture is fine
+  // enough, else as a whole.
   void draw() const;
 
  private:
@@ -42,7 +41,7 @@ class AirProgram {
   bool sun_disc_ = false;
   bool sky_at_corners_ = false;
   std::map<int, gl::Program> variants_;
-  glm::ivec2 cells_{0};  // of the picture that is to be drawn
+  glm::ivec2 cells_{0};  // of the picture that is to be drawn; 0: none
   gl::VertexArray no_vertices_;
 };
 
