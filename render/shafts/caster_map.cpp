@@ -30,6 +30,7 @@ struct Range {
 
 void CasterMap::update(const ShaftInputs& inputs) {
   Key key;
+  key.maps = &inputs.casters();
   for (std::size_t i = 0; i < kCasterKinds.size(); ++i)
     key.revisions[i] = inputs.casters().map(kCasterKinds[i]).revision;
   if (const auto& extent = inputs.scene.medium->extent) {

@@ -33,6 +33,7 @@ class CasterMap {
 
  private:
   struct Key {
+    const SunShadow* maps = nullptr;      // the air's or the surfaces', by turns
     std::array<unsigned, 2> revisions{};  // of the shadow maps
     glm::dvec3 box_low{0.0};
     glm::dvec3 box_high{0.0};

@@ -94,6 +94,19 @@ TEST_F(AirShadowPicture, StillSceneIsBitEqualAndItsMapIsNotRenderedAgain) {
   EXPECT_GT(draw(air, moved, "march:steps=64", true).revision, first.revision);
 }
 
+// Both maps may have been rendered equally often.
+TEST_F(AirShadowPicture, TechniquesTellItFromTheSurfacesMap) {
+  const SceneState scene = posts_near_and_far();
+  const AirPicture coarse = draw(air, scene, "march:steps=65", false);
+  draw(air, scene, "march:steps=66", true);
+  const AirPicture coarse_after_fine = draw(air, scene, "march:steps=66", false);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < coarse.shafts.rgba.size(); ++i) {
+    largest = std::max<double>(largest, std::abs(coarse.shafts.rgba[i].r - coarse_after_fine.shafts.rgba[i].r));
+  }
+  EXPECT_LT(largest, 0.05);  // a step more changes little
+}
+
 TEST_F(AirShadowPicture, TakesTheSurfacesMapWhereItsOwnWouldBeHardlyFiner) {
   SceneState scene = posts_near_and_far();
   scene.camera = look_at(128, 96, {0.0, -60.0, 1.5}, {0.0, 10.0, 8.0}, 60.0);  // sees all of it
