@@ -97,14 +97,11 @@ TEST_F(AirShadowPicture, StillSceneIsBitEqualAndItsMapIsNotRenderedAgain) {
 // Both maps may have been rendered equally often.
 TEST_F(AirShadowPicture, TechniquesTellItFromTheSurfacesMap) {
   const SceneState scene = posts_near_and_far();
-  const AirPicture coarse = draw(air, scene, "march:steps=65", false);
+  // The same settings in other words are another technique of the rig.
+  const AirPicture coarse = draw(air, scene, "march:steps=66,divisor=1", false);
   draw(air, scene, "march:steps=66", true);
   const AirPicture coarse_after_fine = draw(air, scene, "march:steps=66", false);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < coarse.shafts.rgba.size(); ++i) {
-    largest = std::max<double>(largest, std::abs(coarse.shafts.rgba[i].r - coarse_after_fine.shafts.rgba[i].r));
-  }
-  EXPECT_LT(largest, 0.05);  // a step more changes little
+  EXPECT_TRUE(coarse.shafts == coarse_after_fine.shafts);
 }
 
 TEST_F(AirShadowPicture, TakesTheSurfacesMapWhereItsOwnWouldBeHardlyFiner) {
