@@ -108,8 +108,11 @@ void Webcam::Device::unlink(const usbip::Request& request) {
 
 // The header of 2.4.3.3, then the picture.
 void Webcam::Device::next_payload() {
-  // A late picture may be followed sooner by the next, but a hang is not made up for.
-  due_ = std::max(due_ + function_.interval(), steady_clock::now() - std::chrono::milliseconds(10));
+  // A late picture may be followed sooner by the next, but after a hang time is counted anew: two pictures that are
+  // taken a moment apart and show a whole interval's motion would mislead whoever tracks it.
+  const auto now = steady_clock::now();
+  if (now - due_ > std::chrono::milliseconds(10)) due_ = now;
+  due_ += function_.interval();
   const WebcamStream& stream = function_.stream();
   const Bytes& picture = stream.pictures[shown_++ % stream.pictures.size()];
   const bool damaged = damage_.exchange(false);
