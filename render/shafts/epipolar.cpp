@@ -9,6 +9,7 @@ constexpr int kSamplesUnit = 1;
 constexpr int kTreesUnit = 2;  // and two more
 constexpr int kMapUnit = 8;
 constexpr float kDepthTolerance = 0.02F;
+constexpr double kCloseLinesPx = 1.0;
 
 gl::Defines with(gl::Defines defines, const char* name) {
   defines.push_back({name});
@@ -81,7 +82,10 @@ void Epipolar::draw_picture(const ShaftInputs& inputs, const LineLayout& layout)
   between_.draw();
   glDepthRangef(0.0F, 1.0F);
   glDepthFunc(GL_LESS);
-  bind(alone_.use(inputs, size_px), inputs, layout);
+  const gl::Program& alone = alone_.use(inputs, size_px);
+  bind(alone, inputs, layout);
+  // Where lines lie that close, accuracy was asked for.
+  if (!steps_) alone.set("both_slices", settings_.line_px <= kCloseLinesPx ? 1 : 0);
   alone_.draw();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_SCISSOR_TEST);

@@ -20,6 +20,7 @@ precision highp float;
 #include "shafts/lines.glsl"
 #ifdef ALONE
 #include "shafts/line_lit.glsl"
+uniform int both_slices;  // 1: a pixel walks those on both of its sides; 0: one of them
 #else
 uniform highp sampler2D pairs;   // line_pairs.frag
 uniform vec2 pairs_texel;        // 1 / size
@@ -31,10 +32,20 @@ layout(location = 1) out float distance_along_axis;
 
 #ifdef ALONE
 float sunlight_seen(float z, Ray ray, Air air, vec2 stretch, float all) {
-  // The nearest slice; halfway between two, neighbouring pixels take turns.
-  vec2 turn = fract(0.5 * floor(gl_FragCoord.xy));
-  float nearest = floor(on_line(gl_FragCoord.xy).row + (turn.x == turn.y ? 0.499 : 0.501));
-  return all * lit_share(int(nearest), ray, air, stretch).x;
+#ifdef LINE_MARCH
+  return all * lit_share(0, ray, air, stretch).x;
+#else
+  float row = on_line(gl_FragCoord.xy).row;
+  float first = floor(row);
+  if (both_slices == 0) {
+    // The nearest slice; halfway between two, neighbouring pixels take turns.
+    vec2 turn = fract(0.5 * floor(gl_FragCoord.xy));
+    first = floor(row + (turn.x == turn.y ? 0.499 : 0.501));
+  }
+  float lit = lit_share(int(first), ray, air, stretch).x;
+  if (both_slices != 0) lit = mix(lit, lit_share(int(first) + 1, ray, air, stretch).x, row - first);
+  return all * lit;
+#endif
 }
 #else
 // x: sunlight that gets past the casters; y: 1 where the two samples of one line tell it.
