@@ -135,8 +135,9 @@ const gl::Program& AirProgram::use(const ShaftInputs& inputs, const glm::ivec2& 
   auto found = variants_.find(variant);
   if (found == variants_.end()) {
     found = variants_
-                .emplace(variant, gl::Program((variant & kCorners) != 0 ? "shafts/cells.vert" : "lib/full_screen.vert",
-                                              path_, defines_of(variant)))
+                .emplace(variant,
+                         gl::Program((variant & kCorners) != 0 ? std::string_view("shafts/cells.vert") : vertex_path_,
+                                     path_, defines_of(variant)))
                 .first;
   }
   found->second.use();

@@ -15,8 +15,12 @@ namespace render {
 class AirProgram {
  public:
   // With `sun_disc` for the shader to look at the sun as a disc (SUN_DISC, VIRTUAL_CASTERS, REAL_CASTERS).
-  explicit AirProgram(std::string fragment_path, gl::Defines defines = {}, bool sun_disc = false)
-      : path_(std::move(fragment_path)), defines_(std::move(defines)), sun_disc_(sun_disc) {}
+  explicit AirProgram(std::string fragment_path, gl::Defines defines = {}, bool sun_disc = false,
+                      std::string vertex_path = "lib/full_screen.vert")
+      : path_(std::move(fragment_path)),
+        vertex_path_(std::move(vertex_path)),
+        defines_(std::move(defines)),
+        sun_disc_(sun_disc) {}
   struct SkyAtCorners {};
   AirProgram(SkyAtCorners, std::string fragment_path, gl::Defines defines = {})
       : path_(std::move(fragment_path)), defines_(std::move(defines)), sky_at_corners_(true) {}
@@ -37,6 +41,7 @@ class AirProgram {
   void set_sun_disc(const gl::Program& program, const ShaftInputs& inputs) const;
 
   std::string path_;
+  std::string vertex_path_ = "lib/full_screen.vert";  // unless drawn in cells
   gl::Defines defines_;
   bool sun_disc_ = false;
   bool sky_at_corners_ = false;

@@ -1,6 +1,7 @@
 #include "render/shafts/epipolar.h"
 
 #include <algorithm>
+#include <array>
 
 namespace render {
 namespace {
@@ -20,12 +21,14 @@ gl::Defines with(gl::Defines defines, const char* name) {
 
 Epipolar::Epipolar(const LineSettings& settings, const gl::Defines& defines, bool sun_disc)
     : settings_(settings),
-      sample_("shafts/line_samples.frag", defines, sun_disc),
+      sample_("shafts/line_samples.frag", defines, sun_disc, "shafts/line_places.vert"),
       between_(AirProgram::SkyAtCorners{}, "shafts/line_picture.frag"),
       alone_("shafts/line_picture.frag", with(defines, "ALONE"), sun_disc),
       open_(settings.divisor) {}
 
-Epipolar::Epipolar(const LineSettings& settings) : Epipolar(settings, gl::Defines{}, false) {}
+// Where lines lie that close, accuracy was asked for.
+Epipolar::Epipolar(const LineSettings& settings)
+    : Epipolar(settings, settings.line_px <= kCloseLinesPx ? gl::Defines{{"BOTH_SLICES"}} : gl::Defines{}, false) {}
 
 Epipolar::Epipolar(const LineSettings& settings, const MarchSteps& steps)
     : Epipolar(settings, gl::Defines{{"LINE_MARCH"}}, steps.sun_disc) {
@@ -45,6 +48,15 @@ void Epipolar::bind(const gl::Program& program, const ShaftInputs& inputs, const
   }
 }
 
+// Along the lines, with line_places.vert.
+void Epipolar::draw_places(const gl::Program& program, const gl::Framebuffer& target, int more, int rows) const {
+  constexpr int kRowsTogether = 64;
+  program.set("half_size_px", 0.5F * glm::vec2(target.width(), target.height()));
+  program.set("more", static_cast<float>(more));
+  no_vertices_.bind();
+  glDrawArrays(GL_TRIANGLES, 0, 6 * ((rows + kRowsTogether - 1) / kRowsTogether));
+}
+
 void Epipolar::draw_samples(const ShaftInputs& inputs, const LineLayout& layout) {
   if (samples_.width() != layout.samples || samples_.height() < layout.rows) {
     const int rows = layout.rows;
@@ -54,16 +66,19 @@ void Epipolar::draw_samples(const ShaftInputs& inputs, const LineLayout& layout)
     to_pairs_ = gl::Framebuffer({&pairs_}, nullptr, "pairs of samples");
   }
   to_samples_.bind();
-  confine_to({0, 0, layout.samples, layout.rows});
-  bind(sample_.use(inputs, layout.picture_px), inputs, layout);
-  gl::draw_full_screen(no_vertices_);
+  const gl::Program& sample = sample_.use(inputs, layout.picture_px);
+  bind(sample, inputs, layout);
+  draw_places(sample, to_samples_, 2, layout.rows);
   to_pairs_.bind();
+  const std::array<float, 4> tells_nothing{0.0F, 0.0F, 1e9F, 1e9F};  // line_pairs.frag
+  glClearBufferfv(GL_COLOR, 0, tells_nothing.data());
   pair_.use();
+  layout.set(pair_);
   pair_.set("samples", kSamplesUnit);
   pair_.set("samples_texel", 1.0F / glm::vec2(samples_.width(), samples_.height()));
   pair_.set("tolerance", static_cast<float>(settings_.tolerance));
   samples_.bind(kSamplesUnit);
-  gl::draw_full_screen(no_vertices_);
+  draw_places(pair_, to_pairs_, 1, layout.rows);
 }
 
 void Epipolar::draw_picture(const ShaftInputs& inputs, const LineLayout& layout) {
@@ -82,10 +97,7 @@ void Epipolar::draw_picture(const ShaftInputs& inputs, const LineLayout& layout)
   between_.draw();
   glDepthRangef(0.0F, 1.0F);
   glDepthFunc(GL_LESS);
-  const gl::Program& alone = alone_.use(inputs, size_px);
-  bind(alone, inputs, layout);
-  // Where lines lie that close, accuracy was asked for.
-  if (!steps_) alone.set("both_slices", settings_.line_px <= kCloseLinesPx ? 1 : 0);
+  bind(alone_.use(inputs, size_px), inputs, layout);
   alone_.draw();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_SCISSOR_TEST);

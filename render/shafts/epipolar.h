@@ -33,6 +33,7 @@ class Epipolar : public ShaftTechnique {
  private:
   Epipolar(const LineSettings& settings, const gl::Defines& defines, bool sun_disc);
   void bind(const gl::Program& program, const ShaftInputs& inputs, const LineLayout& layout) const;
+  void draw_places(const gl::Program& program, const gl::Framebuffer& target, int more, int rows) const;
   void draw_samples(const ShaftInputs& inputs, const LineLayout& layout);
   void draw_picture(const ShaftInputs& inputs, const LineLayout& layout);
 
@@ -41,7 +42,7 @@ class Epipolar : public ShaftTechnique {
   CasterMap casters_{1};
   SliceTrees trees_;
   AirProgram sample_;
-  gl::Program pair_{"lib/full_screen.vert", "shafts/line_pairs.frag"};
+  gl::Program pair_{"shafts/line_places.vert", "shafts/line_pairs.frag"};
   AirProgram between_;  // pixels that samples tell
   AirProgram alone_;    // all others
   gl::Texture samples_;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kMapUnit = 8;
 constexpr int kLargestNode = 1024;       // cells; the smallest has 16, each level four times as many as the one below
+constexpr int kRowsTogether = 64;        // slice_cells.vert
 constexpr double kDepthSteps = 65534.0;  // leaves.frag keeps depth in 16 bits
 
 // As lay_slices() says, for the line from `eye` along `across`, both in texels, over a map of that size.
@@ -66,19 +67,23 @@ void SliceTrees::lay_slices(const ShaftInputs& inputs, const CasterMap& casters,
   const glm::dmat3 texels_from_px = glm::dmat3(texels_from_local_) * inputs.view.local_ray_from_px();
   std::vector<glm::vec4> slices;
   slices.reserve(static_cast<std::size_t>(rows_));
-  longest_ = 1;
   for (int row = 0; row < rows_; ++row) {
     const glm::dvec2 across(texels_from_px * glm::dvec3(layout.end_px(row) * scale, 1.0));
     slices.push_back(slice_across(across, glm::dvec2(texels_from_local_[3]), glm::dvec2(casters.size_px())));
-    longest_ = std::max(longest_, static_cast<int>(slices.back().w));
   }
   slices_.upload(0, 0, 1, rows_, GL_RGBA, GL_FLOAT, slices.data());
 }
 
-void SliceTrees::draw_into(const gl::Framebuffer& target, int cells_a_pixel) const {
+// Of the slices' cells alone, 16 to a block.
+void SliceTrees::draw_cells(const gl::Framebuffer& target, const gl::Program& program, int pixels_a_block) const {
   target.bind();
-  confine_to({0, 0, std::min((longest_ + cells_a_pixel - 1) / cells_a_pixel, target.width()), rows_});
-  gl::draw_full_screen(no_vertices_);
+  program.set("slices", 0);
+  program.set("rows", rows_);
+  program.set("pixels_a_block", static_cast<float>(pixels_a_block));
+  program.set("half_size_px", 0.5F * glm::vec2(target.width(), target.height()));
+  slices_.bind(0);
+  no_vertices_.bind();
+  glDrawArrays(GL_TRIANGLES, 0, 6 * ((rows_ + kRowsTogether - 1) / kRowsTogether));
 }
 
 void SliceTrees::draw_leaves(const ShaftInputs& inputs, const CasterMap& casters) {
@@ -86,24 +91,25 @@ void SliceTrees::draw_leaves(const ShaftInputs& inputs, const CasterMap& casters
   casters.bind(leaves_program_, inputs, kMapUnit);
   leaves_program_.set("caster_texel", 1.0F / glm::vec2(casters.size_px()));
   leaves_program_.set("eye_in_texels", glm::vec2(texels_from_local_[3]));
-  leaves_program_.set("slices", 0);
   leaves_program_.set("slices_texel", 1.0F / static_cast<float>(slices_.height()));
-  slices_.bind(0);
-  draw_into(to_leaves_, 4);
+  draw_cells(to_leaves_, leaves_program_, 4);
   CasterMap::unbind(kMapUnit);
 }
 
 void SliceTrees::draw_nodes() {
   blocks_program_.use();
-  blocks_program_.set("leaves", 0);
+  blocks_program_.set("leaves", 1);
   blocks_program_.set("leaves_texel", 1.0F / glm::vec2(leaves_.width(), leaves_.height()));
-  leaves_.bind(0);
-  draw_into(to_blocks_, 16);
+  leaves_.bind(1);
+  draw_cells(to_blocks_, blocks_program_, 1);
   nodes_program_.use();
-  nodes_program_.set("blocks", 0);
+  nodes_program_.set("slices", 0);
+  nodes_program_.set("blocks", 1);
   nodes_program_.set("level_first", level_first_);
-  blocks_.bind(0);
-  draw_into(to_nodes_, 1);  // levels lie side by side
+  blocks_.bind(1);
+  to_nodes_.bind();
+  confine_to({0, 0, to_nodes_.width(), rows_});
+  gl::draw_full_screen(no_vertices_);
 }
 
 void SliceTrees::update(const ShaftInputs& inputs, const CasterMap& casters, const LineLayout& layout) {

@@ -28,16 +28,15 @@ class SliceTrees {
   void lay_slices(const ShaftInputs& inputs, const CasterMap& casters, const LineLayout& layout);
   void draw_leaves(const ShaftInputs& inputs, const CasterMap& casters);
   void draw_nodes();
-  void draw_into(const gl::Framebuffer& target, int cells_a_pixel) const;
+  void draw_cells(const gl::Framebuffer& target, const gl::Program& program, int pixels_a_block) const;
 
   int rows_ = 0;
-  int cells_ = 0;    // that there is room for: a multiple of a node of the highest level
-  int longest_ = 0;  // cells of the longest slice
+  int cells_ = 0;  // that there is room for: a multiple of a node of the highest level
   int top_level_ = 0;
   glm::ivec4 level_first_{0};
   glm::dmat4 texels_from_local_{1.0};
-  gl::Program leaves_program_{"lib/full_screen.vert", "shafts/leaves.frag"};
-  gl::Program blocks_program_{"lib/full_screen.vert", "shafts/blocks.frag"};
+  gl::Program leaves_program_{"shafts/slice_cells.vert", "shafts/leaves.frag"};
+  gl::Program blocks_program_{"shafts/slice_cells.vert", "shafts/blocks.frag"};
   gl::Program nodes_program_{"lib/full_screen.vert", "shafts/nodes.frag"};
   gl::Texture slices_;
   gl::Texture leaves_;

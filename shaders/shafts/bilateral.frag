@@ -47,5 +47,5 @@ void main() {
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
   distance_along_axis = z;
-  scattered = shaded_air(ray, air, stretch, upscaled(z) * sunlight_of(air, stretch));
+  scattered = shaded_air(ray, air, stretch, upscaled(z) * sunlight_to(air, stretch.y));
 }

@@ -14,24 +14,18 @@ vec2 shadow_stretch(vec3 direction) {
 
 // What of a stretch of the medium is to be marched: where casters may shade it and it is seen. It ends before the
 // surface at which the ray does, since texels of the map straddle surfaces.
-vec2 marched_stretch(vec3 direction, Air air, vec2 stretch) {
+// `shadow`: that of its ray.
+vec2 marched_stretch(vec2 shadow, Air air, vec2 stretch) {
   vec2 seen = vec2(stretch.x, min(stretch.y, way_of_depth(air, kDeepest)));
-  vec2 shaded = intersect(shadow_stretch(direction), seen);
+  vec2 shaded = intersect(shadow, seen);
   if (shaded.y == stretch.y) shaded.y = max(stretch.y * (1.0 - end_margin) - end_margin_m, mix(shaded.x, shaded.y, 0.5));
   return shaded;
 }
 
-// To where the answer for a marched stretch holds: what lies behind it, up to the surface or out of the casters' reach, is
-// as lit as its end.
-float marched_reach(vec3 direction, vec2 stretch) {
-  return min(shadow_stretch(direction).y, stretch.y);
-}
-
-// Sunlight of the stretch when that part of the light from where marching begins to its reach is lit.
-float sunlight_when(float lit, vec3 direction, Air air, vec2 stretch, vec2 marched) {
-  float all = sunlight_of(air, stretch);
+// Of `all` sunlight of the stretch, what there is when that part of the light from where marching begins to its reach is
+// lit: to where the surface is or the casters' shade ends. What lies behind the marched stretch is as lit as its end.
+float sunlight_when(float lit, Air air, vec2 stretch, vec2 marched, float reach, float all) {
   if (marched.y <= marched.x) return all;
-  float reach = marched_reach(direction, stretch);
   float part = marched.x == stretch.x && reach == stretch.y ? all : sunlight_of(air, vec2(marched.x, reach));
   return max(all - min(part, all) * (1.0 - lit), 0.0);
 }

@@ -82,9 +82,11 @@ void main() {
   if (stretch.y <= stretch.x) return;
 
   Air air = air_along(ray, stretch.x);
-  vec2 marched = marched_stretch(ray.direction, air, stretch);
+  vec2 shadow = shadow_stretch(ray.direction);
+  vec2 marched = marched_stretch(shadow, air, stretch);
   if (marched.y <= marched.x) return;
   float lit = march(ray, air, marched, step_offset(ivec2(gl_FragCoord.xy)));
-  float all = sunlight_of(air, stretch);
-  lit_and_distance.x = clamp(sunlight_when(lit, ray.direction, air, stretch, marched) / max(all, 1e-30), 0.0, 1.0);
+  float all = sunlight_to(air, stretch.y);
+  float sunlit = sunlight_when(lit, air, stretch, marched, min(shadow.y, stretch.y), all);
+  lit_and_distance.x = clamp(sunlit / max(all, 1e-30), 0.0, 1.0);
 }

@@ -1,5 +1,5 @@
-// Which part of a pixel's sunlight gets past the casters (x), and whether its end is lit (y), by the technique that
-// LINE_MARCH chooses: steps along the ray, or else the min-max tree of the nearest epipolar slice. Needs
+// How much of a pixel's sunlight gets past the casters (x; `all` is what there is), and whether its end is lit (y), by the
+// technique that LINE_MARCH chooses: steps along the ray, or else the min-max tree of the nearest epipolar slice. Needs
 // shafts/ray.glsl.
 #include "shafts/caster_depth.glsl"
 #ifdef LINE_MARCH
@@ -8,14 +8,16 @@
 #include "shafts/walk.glsl"
 #endif
 
-vec2 lit_share(int row, Ray ray, Air air, vec2 stretch) {
-  vec2 marched = marched_stretch(ray.direction, air, stretch);
+vec2 lit_sunlight(int row, Ray ray, Air air, vec2 stretch, float all) {
+  vec2 shaded = shadow_stretch(ray.direction);
+  vec2 marched = marched_stretch(shaded, air, stretch);
+  float reach = min(shaded.y, stretch.y);
 #ifdef LINE_MARCH
-  vec2 lit = march(ray, air, marched, marched_reach(ray.direction, stretch));
+  vec2 lit = march(ray, air, marched, reach);
+  return vec2(sunlight_when(lit.x, air, stretch, marched, reach, all), lit.y);
 #else
-  vec2 lit = walk(row, ray, air, marched, marched_reach(ray.direction, stretch));
+  vec2 dark = walk(row, ray, air, marched, reach);
+  bool lit_somewhere = dark.x >= 0.0 || marched.x > stretch.x || reach < stretch.y;
+  return vec2(lit_somewhere ? clamp(all - abs(dark.x), 0.0, all) : 0.0, dark.y);
 #endif
-  float all = sunlight_of(air, stretch);
-  lit.x = all > 0.0 ? clamp(sunlight_when(lit.x, ray.direction, air, stretch, marched) / all, 0.0, 1.0) : 1.0;
-  return lit;
 }

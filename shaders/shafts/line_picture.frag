@@ -1,7 +1,8 @@
 #version 310 es
 // Each pixel from the samples around it on the two epipolar lines to its sides, as far as they see the same surface and
 // agree. ALONE: every other pixel (depth edges, and steps of the light along a line), computed by itself; the depth
-// test keeps it to those. Two passes, since software rasterisers run all code of a pass for all of its pixels.
+// test keeps it to those. BOTH_SLICES: from the slices on both of its sides, not the nearest. Two passes, since software
+// rasterisers run all code of a pass for all of its pixels.
 // variant: NO_DEPTH
 // variant: SKY_AT_CORNERS BOUNDED
 // variant: DIVIDED BOUNDED
@@ -9,6 +10,7 @@
 // variant: BOUNDED FALLOFF
 // variant: ALONE
 // variant: ALONE BOUNDED FALLOFF
+// variant: ALONE BOTH_SLICES
 // variant: ALONE LINE_MARCH
 // variant: ALONE LINE_MARCH BOUNDED
 // variant: ALONE LINE_MARCH SUN_DISC REAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
@@ -20,7 +22,6 @@ precision highp float;
 #include "shafts/lines.glsl"
 #ifdef ALONE
 #include "shafts/line_lit.glsl"
-uniform int both_slices;  // 1: a pixel walks those on both of its sides; 0: one of them
 #else
 uniform highp sampler2D pairs;   // line_pairs.frag
 uniform vec2 pairs_texel;        // 1 / size
@@ -32,19 +33,18 @@ layout(location = 1) out float distance_along_axis;
 
 #ifdef ALONE
 float sunlight_seen(float z, Ray ray, Air air, vec2 stretch, float all) {
-#ifdef LINE_MARCH
-  return all * lit_share(0, ray, air, stretch).x;
-#else
+#if defined(LINE_MARCH)
+  return lit_sunlight(0, ray, air, stretch, all).x;
+#elif defined(BOTH_SLICES)
   float row = on_line(gl_FragCoord.xy).row;
   float first = floor(row);
-  if (both_slices == 0) {
-    // The nearest slice; halfway between two, neighbouring pixels take turns.
-    vec2 turn = fract(0.5 * floor(gl_FragCoord.xy));
-    first = floor(row + (turn.x == turn.y ? 0.499 : 0.501));
-  }
-  float lit = lit_share(int(first), ray, air, stretch).x;
-  if (both_slices != 0) lit = mix(lit, lit_share(int(first) + 1, ray, air, stretch).x, row - first);
-  return all * lit;
+  return mix(lit_sunlight(int(first), ray, air, stretch, all).x,
+             lit_sunlight(int(first) + 1, ray, air, stretch, all).x, row - first);
+#else
+  // The nearest slice; halfway between two, neighbouring pixels take turns.
+  vec2 turn = fract(0.5 * floor(gl_FragCoord.xy));
+  float nearest = floor(on_line(gl_FragCoord.xy).row + (turn.x == turn.y ? 0.499 : 0.501));
+  return lit_sunlight(int(nearest), ray, air, stretch, all).x;
 #endif
 }
 #else
@@ -87,6 +87,6 @@ void main() {
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
   distance_along_axis = z;
-  float all = sunlight_of(air, stretch);
+  float all = sunlight_to(air, stretch.y);
   scattered = shaded_air(ray, air, stretch, sunlight_seen(z, ray, air, stretch, all));
 }

@@ -25,8 +25,8 @@ void main() {
   Ray ray = view_ray(px);
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
-  float all = sunlight_of(air, stretch);
+  float all = sunlight_to(air, stretch.y);
   if (place_px >= line.length_px + sample_px) stretch = vec2(0.0);  // the line has begun already
-  vec2 lit = lit_share(int(row), ray, air, stretch);
-  sampled = vec4(all * lit.x, all * (1.0 - lit.x), 1.0 / z, lit.y);
+  vec2 lit = lit_sunlight(int(row), ray, air, stretch, all);
+  sampled = vec4(lit.x, all - lit.x, 1.0 / z, lit.y);
 }

@@ -25,7 +25,10 @@ void main() {
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
   distance_along_axis = z;
-  vec2 marched = marched_stretch(ray.direction, air, stretch);
-  float lit = march(ray, air, marched, marched_reach(ray.direction, stretch)).x;
-  scattered = shaded_air(ray, air, stretch, sunlight_when(lit, ray.direction, air, stretch, marched));
+  vec2 shadow = shadow_stretch(ray.direction);
+  vec2 marched = marched_stretch(shadow, air, stretch);
+  float reach = min(shadow.y, stretch.y);
+  float lit = march(ray, air, marched, reach).x;
+  float all = sunlight_to(air, stretch.y);
+  scattered = shaded_air(ray, air, stretch, sunlight_when(lit, air, stretch, marched, reach, all));
 }

@@ -1,16 +1,19 @@
 // A medium, homogeneous or thinning out with height, along a view ray (DESIGN.md section 5). Pure functions, written in the part of GLSL that GLM
 // compiles as C++ too, so that the tests need no GPU. Lengths in metres, extinction in 1/m.
 
+// (1 - exp(-x)) / x for |x| < 0.05, good to 1e-9.
+float fall_off_series(float x) {
+  return 1.0f - x * (0.5f - x * (1.0f / 6.0f - x * (1.0f / 24.0f - x / 120.0f)));
+}
+
 // (1 - exp(-x)) / x, for any x that does not overflow; 1 at x = 0.
 float fall_off(float x) {
-  // Below 0.05 the quotient cancels; the series is then good to 1e-9.
-  return abs(x) < 0.05f ? 1.0f - x * (0.5f - x * (1.0f / 6.0f - x * (1.0f / 24.0f - x / 120.0f)))
-                        : (1.0f - exp(-x)) / x;
+  return abs(x) < 0.05f ? fall_off_series(x) : (1.0f - exp(-x)) / x;  // the quotient cancels near 0
 }
 
 // 1 - exp(-x) for x >= 0, accurate for x -> 0.
 float scattered_fraction(float x) {
-  return x < 0.05f ? x * fall_off(x) : 1.0f - exp(-x);
+  return x < 0.05f ? x * fall_off_series(x) : 1.0f - exp(-x);
 }
 
 // Integral of extinction * exp(-(start + slope * t)) dt over [0, length]; start and start + slope * length are optical

@@ -5,6 +5,7 @@ precision highp int;
 
 uniform highp usampler2D blocks;  // of 16 cells
 uniform ivec4 level_first;        // column of each level's first node
+uniform highp sampler2D slices;   // render/shafts/slice_trees.h
 
 layout(location = 0) out highp uvec2 bounds;
 
@@ -13,7 +14,7 @@ void main() {
   int level = at.x >= level_first.w ? 3 : at.x >= level_first.z ? 2 : at.x >= level_first.y ? 1 : 0;
   int count = 1 << (2 * level);
   int from = (at.x - level_first[level]) * count;
-  int to = min(from + count, textureSize(blocks, 0).x);
+  int to = min(from + count, int(ceil(texelFetch(slices, ivec2(0, at.y), 0).w / 16.0)));  // nothing was drawn beyond
   bounds = uvec2(65535u, 0u);
   for (int i = from; i < to; ++i) {
     uvec2 block = texelFetch(blocks, ivec2(i, at.y), 0).xy;

@@ -148,3 +148,12 @@ float sunlight_of(Air air, vec2 stretch) {
   return exp(-before) * scattered_fraction(within);
 #endif
 }
+
+// And for all of the way from the medium's edge to t metres from the eye.
+float sunlight_to(Air air, float t) {
+#ifdef BOUNDED
+  return sunlight_of(air, vec2(air.entry, t));
+#else
+  return scattered_fraction(max(view_depth_to(air, t), 0.0));
+#endif
+}

@@ -30,7 +30,7 @@ vec4 nearest_half(vec4 value) {
 // rgb: luminance; a: transmittance. `sunlit` is sunlight_of() the stretch, less what is shaded.
 vec4 shaded_air(Ray ray, Air air, vec2 stretch, float sunlit) {
   if (stretch.y <= stretch.x) return vec4(0.0, 0.0, 0.0, 1.0);
-  float depth = view_depth_to(air, stretch.y);
+  float depth = max(view_depth_to(air, stretch.y), 0.0);
   float p = phase(phase_kind, phase_g, clamp(dot(ray.direction, sun_direction), -1.0, 1.0));
   vec3 light = sun_scattered * (p * sunlit);
   light += sky_seen(ray) * scattered_fraction(depth);

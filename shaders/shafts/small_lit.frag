@@ -20,5 +20,6 @@ void main() {
   Ray ray = view_ray(gl_FragCoord.xy);
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
-  lit_and_distance = vec2(lit_share(0, ray, air, stretch).x, z);
+  float all = sunlight_to(air, stretch.y);
+  lit_and_distance = vec2(all > 0.0 ? lit_sunlight(0, ray, air, stretch, all).x / all : 1.0, z);
 }

@@ -1,6 +1,6 @@
 // Distance along the camera's axis, metres, of what a shaft pixel shows; kSkyM and more where there is nothing.
 // DIVIDED: a pixel stands for several of the ideal picture.
-uniform highp sampler2D view_depth;
+uniform highp sampler2D view_depth;  // unfiltered, clamped at its edges
 
 float distance_from_depth(float depth) {
   return depth < 1.0 ? near_m / max(1.0 - depth, 1e-12) : kSkyM;
@@ -14,9 +14,7 @@ float distance_at(vec2 place, bool farthest) {
 #else
   ivec2 size = textureSize(view_depth, 0);
   ivec2 low = clamp(ivec2(floor(place - 0.5)), ivec2(0), max(size - 2, 0));
-  ivec2 high = min(low + 1, size - 1);
-  vec4 depth = vec4(texelFetch(view_depth, low, 0).r, texelFetch(view_depth, ivec2(high.x, low.y), 0).r,
-                    texelFetch(view_depth, ivec2(low.x, high.y), 0).r, texelFetch(view_depth, high, 0).r);
+  vec4 depth = textureGather(view_depth, vec2(low + 1) / vec2(size)).wzxy;  // of (0, 0), (1, 0), (0, 1), (1, 1)
   float least = min(min(depth.x, depth.y), min(depth.z, depth.w));
   float most = max(max(depth.x, depth.y), max(depth.z, depth.w));
   vec2 part = place - 0.5 - vec2(low);  // beyond them at the picture's border
@@ -35,6 +33,6 @@ float view_distance(vec2 pixel) {
   ivec2 square = ivec2(pixel);
   return distance_at(pixel * view_px_per_px, ((square.x + square.y) & 1) == 0);
 #else
-  return distance_from_depth(texelFetch(view_depth, ivec2(pixel), 0).r);
+  return distance_from_depth(textureLod(view_depth, pixel / vec2(textureSize(view_depth, 0)), 0.0).r);
 #endif
 }

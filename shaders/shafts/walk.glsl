@@ -23,8 +23,8 @@ vec4 shaded_m(vec4 caster, vec4 begin, vec4 finish, float eye_depth, float slope
   return max(to - from, vec4(0.0));
 }
 
-// x: part of the sunlight, from where the stretch begins to its reach, that gets past the casters, as the slice of that
-// row sees them; of one that is shaded throughout, exactly 0. y: 1 where it is lit at its end, else 0.
+// x: how much of the sunlight, from where the stretch begins to its reach, the casters take, as the slice of that row sees
+// them; negative where that is all of it. y: 1 where it is lit at its end, else 0.
 vec2 walk(int row, Ray ray, Air air, vec2 stretch, float reach) {
   float row_at = float(row) + 0.5;
   vec4 slice = textureLod(slices, vec2(0.5, row_at * leaves_texel.y), 0.0);
@@ -106,6 +106,6 @@ vec2 walk(int row, Ray ray, Air air, vec2 stretch, float reach) {
   dark_end = dark_end && t >= stretch.y;  // else the way leads off the map
   any_lit = any_lit || !dark_end;
   dark += dark_end ? sunlight_between(mark, mark_at(air, reach)) : 0.0;
-  float all = max(sunlight_of(air, vec2(stretch.x, reach)), 1e-30);
-  return vec2(any_lit ? clamp(1.0 - dark / all, 0.0, 1.0) : 0.0, dark_end ? 0.0 : 1.0);
+  float all = sunlight_of(air, vec2(stretch.x, reach));
+  return vec2(any_lit ? min(dark, all) : -all, dark_end ? 0.0 : 1.0);
 }
