@@ -1,5 +1,6 @@
 // bench_shafts FOLDER SCENE WxH [TECHNIQUE[:key=value,...]...]: time of the shaft pass and error against the reference
-// on a scene that skyshaft-bench-scenes wrote to FOLDER. The camera moves and the shadow map is drawn again each frame.
+// on a scene that skyshaft-bench-scenes wrote to FOLDER. The camera moves and the shadow maps, the air's too where the
+// technique gains by it, are drawn again each frame: what that takes ("air map") is not part of the pass.
 #include <GLES3/gl31.h>
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "render/scene/image_io.h"
+#include "render/shadow/air_shadow.h"
 #include "render/shafts/reference/shaft_reference.h"
 #include "tests/golden/light/light_rig.h"
 
@@ -51,6 +53,22 @@ Camera camera_of(const std::string& name, const glm::ivec2& size) {
   return look_at(size.x, size.y, {-2.6, 2.6, 1.6}, {0.6, -1.2, 1.05}, 56);
 }
 
+// Medians.
+struct Times {
+  double air_map_ms = 0.0;
+  double wall_ms = 0.0;
+  double cpu_ms = 0.0;
+};
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 struct Bench {
   std::filesystem::path folder;
   std::string name;
@@ -66,7 +84,9 @@ struct Bench {
     rig().shadow.update(scene, view, map_size(), rig().models);
     objects = &rig().objects.draw(scene, view, rig().shadow, rig().models);
   }
-  ShaftInputs inputs() const { return {.scene = scene, .view = view, .depth = objects->depth, .shadow = rig().shadow}; }
+  ShaftInputs inputs(const SunShadow* air_casters = nullptr) const {
+    return {.scene = scene, .view = view, .depth = objects->depth, .shadow = rig().shadow, .air_shadow = air_casters};
+  }
 
   void make_truth() {
     draw_objects();
@@ -97,7 +117,7 @@ struct Bench {
         std::lround(255.0F * (c < 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F)));
   }
 
-  void compare(const std::string& settings, double wall_ms, double cpu_ms, const Pixels& found) const {
+  void compare(const std::string& settings, const Times& times, const Pixels& found) const {
     double error = 0.0;
     double total = 0.0;
     double squares = 0.0;
@@ -125,8 +145,9 @@ struct Bench {
       off += worst > 2 ? 1 : 0;
     }
     const auto count = static_cast<double>(truth.size());
-    fmt::print("{:60} {:8.1f} ms wall {:8.1f} ms cpu  PSNR {:6.2f}  >2: {:6.3f} %  RMSE {:.5f}\n", settings, wall_ms,
-               cpu_ms, 10.0 * std::log10(255.0 * 255.0 / std::max(squares / count, 1e-9)),
+    fmt::print("{:60} air map {:6.1f} ms  {:8.1f} ms wall {:8.1f} ms cpu  PSNR {:6.2f}  >2: {:6.3f} %  RMSE {:.5f}\n",
+               settings, times.air_map_ms, times.wall_ms, times.cpu_ms,
+               10.0 * std::log10(255.0 * 255.0 / std::max(squares / count, 1e-9)),
                100.0 * static_cast<double>(off) / count, std::sqrt(error / total));
     std::fflush(stdout);
     if (const char* to = std::getenv("SKYSHAFT_PICTURES")) {
@@ -138,7 +159,11 @@ struct Bench {
   }
 
   void run(const std::string& settings) {
-    const auto technique = make_shaft_technique(parse_shaft_settings(settings));
+    const ShaftSettings parsed = parse_shaft_settings(settings);
+    const auto technique = make_shaft_technique(parsed);
+    const bool gains = find_shaft_technique(parsed.technique)->shows_texels;
+    AirShadow air;
+    std::vector<double> map;
     std::vector<double> wall;
     std::vector<double> cpu;
     const glm::dmat4 still = scene.camera.world_from_camera;
@@ -150,18 +175,19 @@ struct Bench {
       scene.instances[0].world_from_model[3].x = caster[3].x + 1e-7 * (kFrames - i);
       draw_objects();
       glFinish();
+      const auto map_start = std::chrono::steady_clock::now();
+      const SunShadow* casters = gains ? &air.update(rig().shadow, scene, view, objects->depth, rig().models) : nullptr;
+      glFinish();
+      if (i > 0) map.push_back(milliseconds_since(map_start));
       const auto start = std::chrono::steady_clock::now();
       const std::clock_t cpu_start = std::clock();
-      const ShaftPicture& picture = technique->draw(inputs());
+      const ShaftPicture& picture = technique->draw(inputs(casters));
       glFinish();
       if (i > 0) cpu.push_back(1000.0 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC);
-      if (i > 0)
-        wall.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+      if (i > 0) wall.push_back(milliseconds_since(start));
       if (i == kFrames) found = read_pixels(picture.texture, picture.width, picture.height, GL_FLOAT);
     }
-    std::ranges::sort(wall);
-    std::ranges::sort(cpu);
-    compare(settings, wall[kFrames / 2], cpu[kFrames / 2], found);
+    compare(settings, {median(map), median(wall), median(cpu)}, found);
   }
 };
 
