@@ -3,7 +3,7 @@
 namespace render {
 namespace {
 
-enum Feature : unsigned { kObjects = 1, kShafts = 2, kLens = 4, kShaftsHalf = 8 };
+enum Feature : unsigned { kObjects = 1, kShafts = 2, kLens = 4, kShaftsHalf = 8, kShaftsWhole = 16 };
 
 void bind(const gl::Program& program, const char* sampler, int unit, GLuint texture) {
   program.set(sampler, unit);
@@ -14,10 +14,12 @@ void bind(const gl::Program& program, const char* sampler, int unit, GLuint text
 }  // namespace
 
 unsigned CompositeLayers::variant() const {
-  const bool half =
-      shafts != nullptr && lens == nullptr && 2 * shafts->width == view->width && 2 * shafts->height == view->height;
+  const auto shafts_are_a = [&](int part) {
+    return shafts != nullptr && lens == nullptr && part * shafts->width == view->width &&
+           part * shafts->height == view->height;
+  };
   return (objects != nullptr ? kObjects : 0U) | (shafts != nullptr ? kShafts : 0U) | (lens != nullptr ? kLens : 0U) |
-         (half ? kShaftsHalf : 0U);
+         (shafts_are_a(2) ? kShaftsHalf : 0U) | (shafts_are_a(1) ? kShaftsWhole : 0U);
 }
 
 void add_layer_defines(unsigned variant, gl::Defines& defines) {
@@ -25,6 +27,7 @@ void add_layer_defines(unsigned variant, gl::Defines& defines) {
   if ((variant & kShafts) != 0) defines.push_back({"SHAFTS"});
   if ((variant & kLens) != 0) defines.push_back({"LENS"});
   if ((variant & kShaftsHalf) != 0) defines.push_back({"SHAFTS_HALF"});
+  if ((variant & kShaftsWhole) != 0) defines.push_back({"SHAFTS_WHOLE"});
 }
 
 void bind_layers(const CompositeLayers& layers, const gl::Program& program) {

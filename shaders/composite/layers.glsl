@@ -1,6 +1,6 @@
 // What is laid over the real picture: out = real * keep + add, in display-linear light.
 // OBJECTS: M and A of the objects pass. SHAFTS: T and L; SHAFTS_HALF where they are exactly half as wide and high as
-// the picture. LENS (never with SHAFTS_HALF): all are looked up through the lens map.
+// the picture, SHAFTS_WHOLE where they are as large. LENS (never with either): all are looked up through the lens map.
 
 struct Layers {
   vec3 keep;  // M T
@@ -81,7 +81,9 @@ Layers layers_at(ivec2 pixel, ivec2 origin, ivec2 offset, ivec2 parity) {
   layers.add = texelFetch(objects_added, pixel, 0).rgb;
 #endif
 #endif
-#ifdef SHAFTS
+#if defined(SHAFTS_WHOLE)
+  vec4 air = texelFetch(shafts, pixel, 0);
+#elif defined(SHAFTS)
   float distance_m = 1e9;  // what shafts_distance says of the sky
 #ifdef OBJECTS
 #ifdef LENS
@@ -98,6 +100,8 @@ Layers layers_at(ivec2 pixel, ivec2 origin, ivec2 offset, ivec2 parity) {
 #else
   vec4 air = shafts_at((vec2(pixel) + 0.5) / ideal_size, distance_m);
 #endif
+#endif
+#ifdef SHAFTS
   layers.keep *= air.a;
   layers.add = layers.add * air.a + air.rgb;
 #endif

@@ -5,6 +5,7 @@
 // variant: SHAFTS
 // variant: OBJECTS SHAFTS
 // variant: OBJECTS SHAFTS SHAFTS_HALF
+// variant: OBJECTS SHAFTS SHAFTS_WHOLE
 // variant: OBJECTS SHAFTS WIDE_GAMUT
 precision highp float;
 precision highp int;

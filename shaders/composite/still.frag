@@ -6,6 +6,7 @@
 // variant: SHAFTS
 // variant: OBJECTS SHAFTS
 // variant: OBJECTS SHAFTS SHAFTS_HALF
+// variant: OBJECTS SHAFTS SHAFTS_WHOLE
 // variant: OBJECTS SHAFTS LENS
 precision highp float;
 precision highp int;
