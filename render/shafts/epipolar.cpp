@@ -50,11 +50,9 @@ void Epipolar::bind(const gl::Program& program, const ShaftInputs& inputs, const
 
 // Along the lines, with line_places.vert.
 void Epipolar::draw_places(const gl::Program& program, const gl::Framebuffer& target, int more, int rows) const {
-  constexpr int kRowsTogether = 64;
   program.set("half_size_px", 0.5F * glm::vec2(target.width(), target.height()));
   program.set("more", static_cast<float>(more));
-  no_vertices_.bind();
-  glDrawArrays(GL_TRIANGLES, 0, 6 * ((rows + kRowsTogether - 1) / kRowsTogether));
+  draw_row_groups(no_vertices_, rows);
 }
 
 void Epipolar::draw_samples(const ShaftInputs& inputs, const LineLayout& layout) {

@@ -25,6 +25,12 @@ void confine_to(const glm::ivec4& region_px) {
   glScissor(region_px.x, region_px.y, region_px.z, region_px.w);
 }
 
+void draw_row_groups(const gl::VertexArray& no_vertices, int rows) {
+  constexpr int kRows = 64;
+  no_vertices.bind();
+  glDrawArrays(GL_TRIANGLES, 0, 6 * ((rows + kRows - 1) / kRows));
+}
+
 void plain_state() {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);

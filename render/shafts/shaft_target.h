@@ -17,6 +17,10 @@ glm::ivec4 shaft_region(const ShaftInputs& inputs, const glm::ivec2& size_px, in
 // Draws reach only that rectangle, until GL_SCISSOR_TEST is disabled.
 void confine_to(const glm::ivec4& region_px);
 
+// Draws rows of the viewport 64 at a time, as wide as the program in use finds them (line_places.vert,
+// slice_cells.vert).
+void draw_row_groups(const gl::VertexArray& no_vertices, int rows);
+
 // The state that all passes of the techniques draw in: no depth test, no blending, no scissor.
 void plain_state();
 

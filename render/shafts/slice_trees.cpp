@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kMapUnit = 8;
 constexpr int kLargestNode = 1024;       // cells; the smallest has 16, each level four times as many as the one below
-constexpr int kRowsTogether = 64;        // slice_cells.vert
 constexpr double kDepthSteps = 65534.0;  // leaves.frag keeps depth in 16 bits
 
 // As lay_slices() says, for the line from `eye` along `across`, both in texels, over a map of that size.
@@ -82,8 +81,7 @@ void SliceTrees::draw_cells(const gl::Framebuffer& target, const gl::Program& pr
   program.set("pixels_a_block", static_cast<float>(pixels_a_block));
   program.set("half_size_px", 0.5F * glm::vec2(target.width(), target.height()));
   slices_.bind(0);
-  no_vertices_.bind();
-  glDrawArrays(GL_TRIANGLES, 0, 6 * ((rows_ + kRowsTogether - 1) / kRowsTogether));
+  draw_row_groups(no_vertices_, rows_);
 }
 
 void SliceTrees::draw_leaves(const ShaftInputs& inputs, const CasterMap& casters) {
