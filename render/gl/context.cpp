@@ -38,7 +38,6 @@ struct Context::Impl {
   Extensions extensions;
   std::string renderer;
   std::string version;
-  bool software = false;
 
   ~Impl() {
     if (display == EGL_NO_DISPLAY) return;
@@ -70,8 +69,7 @@ struct Context::Impl {
     extensions = detail::load_extensions();
     renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-    software = route.device.software || renderer.find("llvmpipe") != std::string::npos ||
-               renderer.find("softpipe") != std::string::npos;
+    extensions.software = extensions.software || route.device.software;
     if (!extensions.color_buffer_half_float) {
       throw std::runtime_error(renderer + " cannot render to half-float textures (EXT_color_buffer_half_float)");
     }
@@ -134,7 +132,7 @@ const std::string& Context::version() const {
   return impl_->version;
 }
 bool Context::is_software() const {
-  return impl_->software;
+  return impl_->extensions.software;
 }
 
 }  // namespace render::gl

@@ -3,6 +3,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace render::gl {
 namespace {
@@ -18,6 +19,11 @@ std::set<std::string> extension_names() {
     if (name != nullptr) names.insert(reinterpret_cast<const char*>(name));
   }
   return names;
+}
+
+bool is_software() {
+  const std::string_view renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+  return renderer.find("llvmpipe") != std::string_view::npos || renderer.find("softpipe") != std::string_view::npos;
 }
 
 template <typename Function>
@@ -50,6 +56,7 @@ Extensions load_extensions() {
     load(e.end_query, "glEndQueryEXT");
     load(e.query_result_u64, "glGetQueryObjectui64vEXT");
   }
+  e.software = is_software();
   e.color_buffer_float = names.contains("GL_EXT_color_buffer_float");
   e.color_buffer_half_float = e.color_buffer_float || names.contains("GL_EXT_color_buffer_half_float");
   e.float_linear = names.contains("GL_OES_texture_float_linear");

@@ -20,6 +20,7 @@ struct Extensions {
   PFNGLBEGINQUERYEXTPROC begin_query = nullptr;
   PFNGLENDQUERYEXTPROC end_query = nullptr;
   PFNGLGETQUERYOBJECTUI64VEXTPROC query_result_u64 = nullptr;
+  bool software = false;                 // the renderer is a software rasteriser
   bool color_buffer_float = false;       // 32-bit float render targets
   bool color_buffer_half_float = false;  // 16-bit float render targets
   bool float_linear = false;             // linear filtering of 32-bit float textures

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "render/gl/error.h"
+#include "render/gl/extensions.h"
+#include "render/gl/flat_uniforms.h"
 #include "render/gl/label.h"
 
 namespace render::gl {
@@ -22,8 +24,8 @@ std::string describe(const Defines& defines) {
 // Owns a shader object until the program is linked.
 struct Shader {
   GLuint id;
-  Shader(GLenum stage, std::string_view path, const Defines& defines) : id(glCreateShader(stage)) {
-    const ShaderSource source = expand_shader(path, defines);
+  Shader(GLenum stage, std::string_view path, const Defines& defines, const ShaderSource& source)
+      : id(glCreateShader(stage)) {
     const char* text = source.text.c_str();
     glShaderSource(id, 1, &text, nullptr);
     glCompileShader(id);
@@ -49,17 +51,32 @@ struct Shader {
 
 Program::Program(std::string_view vertex_path, std::string_view fragment_path, const Defines& defines)
     : name_(fmt::format("{} + {}{}", vertex_path, fragment_path, describe(defines))) {
-  const Shader vertex(GL_VERTEX_SHADER, vertex_path, defines);
-  const Shader fragment(GL_FRAGMENT_SHADER, fragment_path, defines);
-  id_ = glCreateProgram();
-  glAttachShader(id_, vertex.id);
-  glAttachShader(id_, fragment.id);
-  link();
+  ShaderSource vertex = expand_shader(vertex_path, defines);
+  ShaderSource fragment = expand_shader(fragment_path, defines);
+  const auto build = [&] {
+    const Shader first(GL_VERTEX_SHADER, vertex_path, defines, vertex);
+    const Shader second(GL_FRAGMENT_SHADER, fragment_path, defines, fragment);
+    id_ = glCreateProgram();
+    glAttachShader(id_, first.id);
+    glAttachShader(id_, second.id);
+    link();
+  };
+  build();
+  if (!extensions().software || !draws_large_primitives(vertex.text)) return;
+  constexpr int kOwnVaryings = 2;  // at most, of the shaders themselves
+  GLint varyings = 0;
+  glGetIntegerv(GL_MAX_VARYING_VECTORS, &varyings);
+  StageTexts texts = hand_on_uniforms({std::move(vertex.text), std::move(fragment.text)}, fragment_uniforms(id_),
+                                      varyings - kOwnVaryings);
+  vertex.text = std::move(texts.vertex);
+  fragment.text = std::move(texts.fragment);
+  glDeleteProgram(std::exchange(id_, 0));
+  build();
 }
 
 Program::Program(std::string_view compute_path, const Defines& defines)
     : name_(fmt::format("{}{}", compute_path, describe(defines))) {
-  const Shader compute(GL_COMPUTE_SHADER, compute_path, defines);
+  const Shader compute(GL_COMPUTE_SHADER, compute_path, defines, expand_shader(compute_path, defines));
   id_ = glCreateProgram();
   glAttachShader(id_, compute.id);
   link();
@@ -96,6 +113,7 @@ void Program::link() {
 }
 
 void Program::list_uniforms() {
+  locations_.clear();
   GLint count = 0;
   GLint longest = 0;
   glGetProgramiv(id_, GL_ACTIVE_UNIFORMS, &count);

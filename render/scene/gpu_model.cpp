@@ -22,12 +22,6 @@ GLenum gl_wrap(TextureWrap wrap) {
   return GL_CLAMP_TO_EDGE;
 }
 
-// A software rasteriser pays for every sample of a texture.
-bool software_rasteriser() {
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return std::string_view(renderer).find("llvmpipe") != std::string_view::npos;
-}
-
 // Leaves seen at a slant need it; more than 4 shows no difference on them.
 float anisotropy() {
   const auto* names = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));
@@ -79,7 +73,7 @@ const gl::Texture* GpuModel::texture_for(const Model& model, const TextureRef& r
   texture.generate_mipmaps();
   texture.set_wrap(gl_wrap(ref.wrap), gl_wrap(ref.wrap));
   texture.bind(0);
-  if (software_rasteriser()) {
+  if (gl::extensions().software) {  // which pays for every sample of a texture
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   } else if (const float most = anisotropy(); most > 1.0F) {
     glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, most);

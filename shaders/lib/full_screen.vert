@@ -1,4 +1,5 @@
 #version 310 es
+#pragma skyshaft large_primitives
 // One triangle over the whole viewport. v_uv is (0, 0) at the picture's top left and (1, 1) at its bottom right.
 
 out highp vec2 v_uv;

@@ -1,4 +1,5 @@
 #version 310 es
+#pragma skyshaft large_primitives
 // A shaft picture in square cells, with what of its light varies so slowly that the cells' corners tell it: the sky's,
 // scattered towards the eye. Row 0 of the picture is row 0 of the viewport.
 #include "lib/quad.glsl"

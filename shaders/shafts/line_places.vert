@@ -1,4 +1,5 @@
 #version 310 es
+#pragma skyshaft large_primitives
 // The places along all epipolar lines, or what lies between each two: rectangles as high as 64 lines and as wide as
 // the longest of them. Each line is a row of the viewport, its places columns.
 #include "lib/quad.glsl"

@@ -1,4 +1,5 @@
 #version 310 es
+#pragma skyshaft large_primitives
 // The cells of all slices, and few more: rectangles as high as 64 slices and as wide as the longest of them has
 // blocks of 16 cells. Each slice is a row of the viewport, from its left edge on.
 #include "lib/quad.glsl"
