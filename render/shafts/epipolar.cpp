@@ -35,16 +35,17 @@ Epipolar::Epipolar(const LineSettings& settings, const MarchSteps& steps)
   steps_ = steps;
 }
 
-void Epipolar::bind(const gl::Program& program, const ShaftInputs& inputs, const LineLayout& layout) const {
+// For pixels up to `beside_px` beside their slices: the walk ends twice that before surfaces, for walls seen askew.
+void Epipolar::bind(const gl::Program& program, const ShaftInputs& inputs, const LineLayout& layout,
+                    double beside_px) const {
   layout.set(program);
   casters_.bind(program, inputs, kMapUnit);
   if (steps_) {
     steps_->set(program);
   } else {
     trees_.bind(program, kTreesUnit);
-    // A pixel's slice is up to half a line's distance beside it: twice that, for walls seen askew.
     const double px_rad = inputs.view.width / (inputs.view.focal_px.x * layout.picture_px.x);
-    program.set("end_margin", static_cast<float>(std::min(2.0 * settings_.line_px * px_rad, 0.5)));
+    program.set("end_margin", static_cast<float>(std::min(2.0 * beside_px * px_rad, 0.5)));
   }
 }
 
@@ -65,7 +66,7 @@ void Epipolar::draw_samples(const ShaftInputs& inputs, const LineLayout& layout)
   }
   to_samples_.bind();
   const gl::Program& sample = sample_.use(inputs, layout.picture_px);
-  bind(sample, inputs, layout);
+  bind(sample, inputs, layout, 0.0);
   draw_places(sample, to_samples_, 2, layout.rows);
   to_pairs_.bind();
   const std::array<float, 4> tells_nothing{0.0F, 0.0F, 1e9F, 1e9F};  // line_pairs.frag
@@ -95,7 +96,7 @@ void Epipolar::draw_picture(const ShaftInputs& inputs, const LineLayout& layout)
   between_.draw();
   glDepthRangef(0.0F, 1.0F);
   glDepthFunc(GL_LESS);
-  bind(alone_.use(inputs, size_px), inputs, layout);
+  bind(alone_.use(inputs, size_px), inputs, layout, 0.5 * settings_.line_px);
   alone_.draw();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_SCISSOR_TEST);

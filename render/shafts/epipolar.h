@@ -32,7 +32,7 @@ class Epipolar : public ShaftTechnique {
 
  private:
   Epipolar(const LineSettings& settings, const gl::Defines& defines, bool sun_disc);
-  void bind(const gl::Program& program, const ShaftInputs& inputs, const LineLayout& layout) const;
+  void bind(const gl::Program& program, const ShaftInputs& inputs, const LineLayout& layout, double beside_px) const;
   void draw_places(const gl::Program& program, const gl::Framebuffer& target, int more, int rows) const;
   void draw_samples(const ShaftInputs& inputs, const LineLayout& layout);
   void draw_picture(const ShaftInputs& inputs, const LineLayout& layout);

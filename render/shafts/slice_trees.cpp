@@ -54,7 +54,7 @@ void SliceTrees::make_storage(const CasterMap& casters, int rows) {
   blocks_ = gl::Texture(GL_RG16UI, cells / 16, rows, gl::Filter::Nearest, 1, "bounds of 16 cells");
   nodes_ = gl::Texture(GL_RG16UI, level_first_.w + cells / 1024, rows, gl::Filter::Nearest, 1, "min-max trees");
   to_leaves_ = gl::Framebuffer({&leaves_}, nullptr, "casters of slices");
-  to_blocks_ = gl::Framebuffer({&blocks_}, nullptr, "bounds of 16 cells");
+  to_blocks_ = gl::Framebuffer({&blocks_, &nodes_}, nullptr, "bounds of 16 cells");
   to_nodes_ = gl::Framebuffer({&nodes_}, nullptr, "min-max trees");
 }
 
@@ -106,7 +106,7 @@ void SliceTrees::draw_nodes() {
   nodes_program_.set("level_first", level_first_);
   blocks_.bind(1);
   to_nodes_.bind();
-  confine_to({0, 0, to_nodes_.width(), rows_});
+  confine_to({level_first_.y, 0, to_nodes_.width() - level_first_.y, rows_});
   gl::draw_full_screen(no_vertices_);
 }
 

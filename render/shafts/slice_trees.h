@@ -22,8 +22,7 @@ class SliceTrees {
  private:
   void make_storage(const CasterMap& casters, int rows);
   // Where each slice (the plane through the eye, the sun and a line) runs across the map: direction with its larger
-  // part
-  // +-1, where the first cell begins along it, in texels from the eye, and how many cells there are. A cell is one
+  // part +-1, where the first cell begins along it, in texels from the eye, and how many cells there are. A cell is one
   // texel of the axis that the slice is nearer to.
   void lay_slices(const ShaftInputs& inputs, const CasterMap& casters, const LineLayout& layout);
   void draw_leaves(const ShaftInputs& inputs, const CasterMap& casters);

@@ -1,5 +1,6 @@
 #version 310 es
-// Nearest and farthest caster of each 16 cells of a slice: the lowest level of its min-max tree (Chen 2011).
+// Nearest and farthest caster of each 16 cells of a slice: the lowest level of its min-max tree (Chen 2011), and the same
+// once more for nodes.frag, which draws into the tree.
 precision highp float;
 precision highp int;
 
@@ -7,6 +8,7 @@ uniform highp usampler2D leaves;
 uniform vec2 leaves_texel;  // 1 / size
 
 layout(location = 0) out highp uvec2 bounds;
+layout(location = 1) out highp uvec2 node;
 
 void main() {
   vec2 at = vec2(floor(gl_FragCoord.x) * 4.0 + 0.5, gl_FragCoord.y) * leaves_texel;
@@ -19,4 +21,5 @@ void main() {
   uvec4 low = min(min(min(a & kFirst, b & kFirst), min(c & kFirst, d & kFirst)), min(min(a, b), min(c, d)) >> 16);
   uvec4 high = max(max(max(a & kFirst, b & kFirst), max(c & kFirst, d & kFirst)), max(max(a, b), max(c, d)) >> 16);
   bounds = uvec2(min(min(low.x, low.y), min(low.z, low.w)), max(max(high.x, high.y), max(high.z, high.w)));
+  node = bounds;
 }

@@ -1,5 +1,5 @@
 #version 310 es
-// All levels of the slices' min-max trees side by side: nodes of 16, 64, 256 and 1024 cells.
+// The upper levels of the slices' min-max trees side by side: nodes of 64, 256 and 1024 cells.
 precision highp float;
 precision highp int;
 
@@ -11,7 +11,7 @@ layout(location = 0) out highp uvec2 bounds;
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
-  int level = at.x >= level_first.w ? 3 : at.x >= level_first.z ? 2 : at.x >= level_first.y ? 1 : 0;
+  int level = at.x >= level_first.w ? 3 : at.x >= level_first.z ? 2 : 1;
   int count = 1 << (2 * level);
   int from = (at.x - level_first[level]) * count;
   int to = min(from + count, int(ceil(texelFetch(slices, ivec2(0, at.y), 0).w / 16.0)));  // nothing was drawn beyond
