@@ -156,7 +156,8 @@ struct Renderer::Impl {
                                                .depth = depth,
                                                .shadow = shadow,
                                                .air_shadow = air_casters,
-                                               .region_px = {seen.x, seen.y, seen.width, seen.height}});
+                                               .region_px = {seen.x, seen.y, seen.width, seen.height},
+                                               .with_distance = lens.has_value()});
     });
     return layers;
   }

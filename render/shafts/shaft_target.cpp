@@ -39,12 +39,16 @@ void plain_state() {
 }
 
 void ShaftTarget::begin(const ShaftInputs& inputs, const glm::ivec2& size_px) {
-  if (picture_.width != size_px.x || picture_.height != size_px.y) {
+  const bool with_distance = inputs.with_distance || size_px != glm::ivec2(inputs.view.width, inputs.view.height);
+  if (picture_.width != size_px.x || picture_.height != size_px.y || (picture_.distance != 0) != with_distance) {
     scattered_ = gl::Texture(GL_RGBA16F, size_px.x, size_px.y, gl::Filter::Linear, 1, "shafts");
-    distance_ = gl::Texture(GL_R32F, size_px.x, size_px.y, gl::Filter::Nearest, 1, "shaft distance");
+    distance_ = with_distance ? gl::Texture(GL_R32F, size_px.x, size_px.y, gl::Filter::Nearest, 1, "shaft distance")
+                              : gl::Texture();
     if (with_depth_)
       depth_ = gl::Texture(GL_DEPTH_COMPONENT16, size_px.x, size_px.y, gl::Filter::Nearest, 1, "shafts left");
-    framebuffer_ = gl::Framebuffer({&scattered_, &distance_}, with_depth_ ? &depth_ : nullptr, "shafts");
+    const gl::Texture* depth = with_depth_ ? &depth_ : nullptr;
+    framebuffer_ = with_distance ? gl::Framebuffer({&scattered_, &distance_}, depth, "shafts")
+                                 : gl::Framebuffer({&scattered_}, depth, "shafts");
     picture_ = {.texture = scattered_.id(), .distance = distance_.id(), .width = size_px.x, .height = size_px.y};
   }
   framebuffer_.bind();
@@ -59,7 +63,7 @@ void ShaftTarget::begin(const ShaftInputs& inputs, const glm::ivec2& size_px) {
   const std::array<float, 4> nothing{0.0F, 0.0F, 0.0F, 1.0F};
   const std::array<float, 4> far_away{1e9F, 0.0F, 0.0F, 0.0F};
   glClearBufferfv(GL_COLOR, 0, nothing.data());
-  glClearBufferfv(GL_COLOR, 1, far_away.data());
+  if (with_distance) glClearBufferfv(GL_COLOR, 1, far_away.data());
   confine_to(region);
 }
 

@@ -21,6 +21,8 @@ struct ShaftInputs {
   const SunShadow* air_shadow = nullptr;  // AirShadow's, for techniques that gain by it (ShaftTechniqueInfo)
   // The view's pixels in which the medium may be seen: x, y, width, height. Nothing is computed elsewhere. Empty: all.
   glm::ivec4 region_px{0};
+  // Whether the picture's distances are wanted where it is as large as the view. A smaller one always has them.
+  bool with_distance = true;
 
   // What to look for casters in.
   const SunShadow& casters() const { return air_shadow != nullptr ? *air_shadow : shadow; }
@@ -30,7 +32,8 @@ struct ShaftInputs {
 // the ray through its centre: pixel (x, y) of width x height covers the ideal picture's pixels scaled to that size.
 struct ShaftPicture {
   GLuint texture = 0;
-  GLuint distance = 0;  // R32F, distance along the camera's axis at that pixel, metres, for depth-aware upsampling
+  GLuint distance = 0;  // R32F, distance along the camera's axis at that pixel, metres, for depth-aware upsampling; 0:
+                        // not wanted (ShaftInputs)
   int width = 0;
   int height = 0;
 };

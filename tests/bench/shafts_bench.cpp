@@ -84,9 +84,7 @@ struct Bench {
     rig().shadow.update(scene, view, map_size(), rig().models);
     objects = &rig().objects.draw(scene, view, rig().shadow, rig().models);
   }
-  ShaftInputs inputs(const SunShadow* air_casters = nullptr) const {
-    return {.scene = scene, .view = view, .depth = objects->depth, .shadow = rig().shadow, .air_shadow = air_casters};
-  }
+  ShaftInputs inputs() const { return {.scene = scene, .view = view, .depth = objects->depth, .shadow = rig().shadow}; }
 
   void make_truth() {
     draw_objects();
@@ -181,7 +179,10 @@ struct Bench {
       if (i > 0) map.push_back(milliseconds_since(map_start));
       const auto start = std::chrono::steady_clock::now();
       const std::clock_t cpu_start = std::clock();
-      const ShaftPicture& picture = technique->draw(inputs(casters));
+      ShaftInputs asked = inputs();
+      asked.air_shadow = casters;
+      asked.with_distance = false;  // as the program has it
+      const ShaftPicture& picture = technique->draw(asked);
       glFinish();
       if (i > 0) cpu.push_back(1000.0 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC);
       if (i > 0) wall.push_back(milliseconds_since(start));

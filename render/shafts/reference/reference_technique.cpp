@@ -51,7 +51,9 @@ ShaftTechniqueInfo reference() {
 }  // namespace
 
 const ShaftPicture& ReferenceTechnique::draw(const ShaftInputs& inputs) {
-  const ShaftPicture& distances = closed_form_.draw(inputs);
+  ShaftInputs asked = inputs;
+  asked.with_distance = true;
+  const ShaftPicture& distances = closed_form_.draw(asked);
   const ShaftReference truth(inputs.scene, settings_);
   ReferencePicture result =
       truth.picture(inputs.view, gl::read_red(distances.distance, distances.width, distances.height),
