@@ -139,8 +139,8 @@ struct Renderer::Impl {
     }
   }
 
-  // Shadow, objects and shafts of the ideal picture.
-  CompositeLayers draw_layers(const SceneState& scene, const Plan& plan, const View& view) {
+  // Shadow, objects and shafts of the ideal picture; with the shafts' distances, or only if the composite needs them.
+  CompositeLayers draw_layers(const SceneState& scene, const Plan& plan, const View& view, bool with_distance = false) {
     CompositeLayers layers;
     layers.view = &view;
     layers.lens = lens ? &*lens : nullptr;
@@ -157,7 +157,7 @@ struct Renderer::Impl {
                                                .shadow = shadow,
                                                .air_shadow = air_casters,
                                                .region_px = {seen.x, seen.y, seen.width, seen.height},
-                                               .with_distance = lens.has_value()});
+                                               .with_distance = with_distance || lens.has_value()});
     });
     return layers;
   }
@@ -252,7 +252,7 @@ AirImage Renderer::render_air(const SceneState& scene, const Plan& plan) {
   impl.clock.begin_frame();
   impl.prepare(plan);
   const View view = impl.view_for(scene.camera);
-  CompositeLayers layers = impl.draw_layers(scene, plan, view);
+  CompositeLayers layers = impl.draw_layers(scene, plan, view, true);
   ObjectsPicture bare;
   std::optional<BareObjects> nothing;
   if (layers.objects != nullptr) {

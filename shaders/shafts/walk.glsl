@@ -93,7 +93,7 @@ vec2 walk(int row, Ray ray, Air air, vec2 stretch, float reach) {
       float shaded = dot(mix(before_m, behind_m, behind), vec4(1.0));
       vec2 next = mark_at(air, end);
       dark += sunlight_between(mark, next) * min(shaded / max(end - t, 1e-20), 1.0);
-      any_lit = any_lit || shaded < (end - t) * (1.0 - 1e-5);
+      any_lit = any_lit || shaded < (end - t) * (1.0 - 1e-5) - 1e-6 * end;  // not what rounding leaves
       dark_end = shaded > 0.5 * (end - t);
       mark = next;
       t = max(t, end);
