@@ -2,7 +2,7 @@
 // What each two neighbouring samples on a line say of the pixels between them. From lit surface to lit surface the dark
 // part of the sunlight stays the same, however far they are; from shaded to shaded the lit one: that is kept. x, y: it at
 // the two places; z, w: 1 / distance there, negative where the dark part is kept, and nearer than anything where it
-// changes too much.
+// changes too much, or one of the two is beyond the line's beginning: a pixel's own line may be longer than its neighbours.
 precision highp float;
 
 uniform highp sampler2D samples;  // line_samples.frag
@@ -17,7 +17,7 @@ void main() {
   vec2 change = abs(a.xy - b.xy);
   bool dark = a.w + b.w == 1.0 ? change.y < change.x : a.w + b.w > 1.0;
   vec2 kept = dark ? vec2(a.y, b.y) : vec2(a.x, b.x);
-  bool steady = (dark ? change.y : change.x) <= tolerance * min(a.x + a.y, b.x + b.y);
+  bool steady = min(a.w, b.w) >= 0.0 && (dark ? change.y : change.x) <= tolerance * min(a.x + a.y, b.x + b.y);
   vec2 nearness = steady ? vec2(a.z, b.z) : vec2(1e9);
   pair = vec4(kept, dark ? -nearness : nearness);
 }

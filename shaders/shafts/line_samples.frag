@@ -14,7 +14,7 @@ precision highp float;
 #include "shafts/lines.glsl"
 #include "shafts/line_lit.glsl"
 
-layout(location = 0) out vec4 sampled;  // lit and dark sunlight; 1 / distance along the axis; 1: its end is lit
+layout(location = 0) out vec4 sampled;  // lit and dark sunlight; 1 / distance along the axis; 1: its end is lit, -1: no sample
 
 void main() {
   float row = floor(gl_FragCoord.y);
@@ -26,7 +26,8 @@ void main() {
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
   float all = sunlight_to(air, stretch.y);
-  if (place_px >= line.length_px + sample_px) stretch = vec2(0.0);  // the line has begun already
+  bool beyond = place_px >= line.length_px + sample_px;  // the line has begun already
+  if (beyond) stretch = vec2(0.0);
   vec2 lit = lit_sunlight(int(row), ray, air, stretch, all);
-  sampled = vec4(lit.x, all - lit.x, 1.0 / z, lit.y);
+  sampled = vec4(lit.x, all - lit.x, 1.0 / z, beyond ? -1.0 : lit.y);
 }
