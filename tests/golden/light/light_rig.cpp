@@ -60,6 +60,18 @@ LightRig& rig() {
   return instance;
 }
 
+double relative_rmse(const Pixels& found, const std::vector<glm::vec4>& truth, double exposure) {
+  double error = 0.0;
+  double total = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const glm::dvec3 expected = exposure * glm::dvec3(truth[i]);
+    const glm::dvec3 off = glm::dvec3(found.rgba[i]) - expected;
+    error += glm::dot(off, off);
+    total += glm::dot(expected, expected);
+  }
+  return std::sqrt(error / total);
+}
+
 Camera look_at(int width, int height, const glm::dvec3& eye, const glm::dvec3& target, double vertical_fov_deg,
                const glm::dvec3& up) {
   const glm::dvec3 forward = glm::normalize(target - eye);

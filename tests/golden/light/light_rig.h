@@ -55,6 +55,9 @@ LightRig& rig();
 
 Pixels read_pixels(GLuint texture, int width, int height, GLenum type);
 
+// Of the colours alone: RMS of the differences from `truth` * exposure over RMS of that.
+double relative_rmse(const Pixels& found, const std::vector<glm::vec4>& truth, double exposure = 1.0);
+
 // A camera of that size at `eye` looking at `target`, vertical field of view in degrees. `up` is not along the view.
 Camera look_at(int width, int height, const glm::dvec3& eye, const glm::dvec3& target, double vertical_fov_deg,
                const glm::dvec3& up = {0.0, 0.0, 1.0});

@@ -23,18 +23,6 @@ SceneState posts(bool bounded) {
   return scene;
 }
 
-// Of the scattered light alone, over the whole picture.
-double relative_rmse(const LightPictures& found, const ReferencePicture& truth, double exposure) {
-  double error = 0.0;
-  double total = 0.0;
-  for (std::size_t i = 0; i < truth.rgba.size(); ++i) {
-    const double expected = truth.rgba[i].r * exposure;
-    error += std::pow(found.shafts.rgba[i].r - expected, 2.0);
-    total += expected * expected;
-  }
-  return std::sqrt(error / total);
-}
-
 ReferencePicture truth_of(const SceneState& scene) {
   std::vector<float> axis_m;
   const LightPictures unshaded = rig().render(scene, parse_shaft_settings("closed-form:divisor=1"));
@@ -78,8 +66,9 @@ TEST(ShaftConvergence, EveryTechniqueComesToTheReferenceAsItsKnobsRise) {
           Rise{"epipolar:steps=16,line_px=8,tolerance=0.3", "epipolar:steps=1024,line_px=0.5,tolerance=0.005", 0.006},
           Rise{"minmax:line_px=16,tolerance=0.5", "minmax:line_px=0.5,tolerance=0.005", 0.006}}) {
       const double coarse =
-          relative_rmse(rig().render(scene, parse_shaft_settings(rise.coarse)), truth, scene.exposure);
-      const double fine = relative_rmse(rig().render(scene, parse_shaft_settings(rise.fine)), truth, scene.exposure);
+          relative_rmse(rig().render(scene, parse_shaft_settings(rise.coarse)).shafts, truth.rgba, scene.exposure);
+      const double fine =
+          relative_rmse(rig().render(scene, parse_shaft_settings(rise.fine)).shafts, truth.rgba, scene.exposure);
       EXPECT_LT(fine, rise.share * coarse) << rise.fine << (bounded ? ", bounded" : "");
       EXPECT_LT(fine, rise.most) << rise.fine << (bounded ? ", bounded" : "");
     }
@@ -99,8 +88,8 @@ TEST(ShaftSunDisc, SoftensTheShaftsAsTheReferenceDoes) {
        {Technique{"march:steps=256", 0.5}, Technique{"epipolar:steps=256,line_px=1,tolerance=0.005", 0.5},
         Technique{"bilateral:steps=256,divisor=2", 0.9}}) {  // smooths edges by itself
     const auto error = [&](const char* sun) {
-      return relative_rmse(rig().render(scene, parse_shaft_settings(std::string(technique.settings) + sun)), truth,
-                           scene.exposure);
+      return relative_rmse(rig().render(scene, parse_shaft_settings(std::string(technique.settings) + sun)).shafts,
+                           truth.rgba, scene.exposure);
     };
     const double point = error(",sun=point");
     const double disc = error(",sun=disc");
@@ -122,18 +111,6 @@ TEST(ShaftSunDisc, OfNoWidthIsAPoint) {
   EXPECT_LT(std::sqrt(error / static_cast<double>(point.shafts.rgba.size())), 0.01 * most);
 }
 
-double relative_rmse(const Pixels& found, const Pixels& truth) {
-  double error = 0.0;
-  double total = 0.0;
-  for (std::size_t i = 0; i < truth.rgba.size(); ++i) {
-    const glm::dvec3 expected(truth.rgba[i]);
-    const glm::dvec3 off = glm::dvec3(found.rgba[i]) - expected;
-    error += glm::dot(off, off);
-    total += glm::dot(expected, expected);
-  }
-  return std::sqrt(error / total);
-}
-
 // A slab that the eye stands over shades nothing that it sees, so that the map need not hold it: the same shadows and
 // shafts come from a sixteenth of the texels.
 TEST(ShadowFitPicture, AMapWithoutTheGroundShowsTheSame) {
@@ -145,8 +122,8 @@ TEST(ShadowFitPicture, AMapWithoutTheGroundShowsTheSame) {
   whole->convex_pieces.clear();
   scene.instances.front().model = whole;
   const LightPictures in_map = rig().render(scene, shafts, 4096);
-  EXPECT_LT(relative_rmse(left_out.shafts, in_map.shafts), 0.006);
-  EXPECT_LT(relative_rmse(left_out.added, in_map.added), 0.03);  // edges of shadows are a texel wide
+  EXPECT_LT(relative_rmse(left_out.shafts, in_map.shafts.rgba), 0.006);
+  EXPECT_LT(relative_rmse(left_out.added, in_map.added.rgba), 0.03);  // edges of shadows are a texel wide
 }
 
 }  // namespace
