@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "render/shafts/reference/shaft_reference.h"
 #include "tests/golden/light/light_rig.h"
 
