@@ -59,6 +59,7 @@ Extensions load_extensions() {
   e.software = is_software();
   e.color_buffer_float = names.contains("GL_EXT_color_buffer_float");
   e.color_buffer_half_float = e.color_buffer_float || names.contains("GL_EXT_color_buffer_half_float");
+  e.float_blend = names.contains("GL_EXT_float_blend");
   e.float_linear = names.contains("GL_OES_texture_float_linear");
   return e;
 }

@@ -23,6 +23,7 @@ struct Extensions {
   bool software = false;                 // the renderer is a software rasteriser
   bool color_buffer_float = false;       // 32-bit float render targets
   bool color_buffer_half_float = false;  // 16-bit float render targets
+  bool float_blend = false;              // blending in them
   bool float_linear = false;             // linear filtering of 32-bit float textures
 
   bool has_timer() const { return query_result_u64 != nullptr; }

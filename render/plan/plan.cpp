@@ -148,7 +148,8 @@ class Planner {
     const ShaftTechniqueInfo* info = find_shaft_technique(plan_.shafts.technique);
     if (!needs_.shafts || info == nullptr || !info->shows_texels || by_disc(plan_.shafts)) return;
     add(PassKind::AirShadow, "air shadow",
-        fmt::format("{0} x {0} texels over the air that is seen, where that is much less than all",
+        fmt::format("{0} x {0} texels over the air that is seen, where that is much less than all; parted by distance "
+                    "where they would look coarse near the eye",
                     quality_.shadow_map_size),
         fmt::format("{} shows the shadow map's texels", plan_.shafts.technique));
   }

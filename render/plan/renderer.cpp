@@ -147,15 +147,15 @@ struct Renderer::Impl {
     run(plan, PassKind::SunShadow, [&] { shadow.update(scene, view, plan.shadow_map_size, models); });
     run(plan, PassKind::Objects, [&] { layers.objects = &objects_pass->draw(scene, view, shadow, models); });
     const GLuint depth = layers.objects != nullptr ? layers.objects->depth : 0;
-    const SunShadow* air_casters = nullptr;
-    run(plan, PassKind::AirShadow, [&] { air_casters = &air_shadow.update(shadow, scene, view, depth, models); });
+    std::span<const AirPart> air;
+    run(plan, PassKind::AirShadow, [&] { air = air_shadow.update(shadow, scene, view, depth, models); });
     run(plan, PassKind::Shafts, [&] {
       const PixelRect seen = medium_region(view, *scene.medium);
       layers.shafts = &shafts_technique->draw({.scene = scene,
                                                .view = view,
                                                .depth = depth,
                                                .shadow = shadow,
-                                               .air_shadow = air_casters,
+                                               .air = air,
                                                .region_px = {seen.x, seen.y, seen.width, seen.height},
                                                .with_distance = with_distance || lens.has_value()});
     });

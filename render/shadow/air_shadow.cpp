@@ -1,6 +1,10 @@
 #include "render/shadow/air_shadow.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+
+#include "render/gl/extensions.h"
 
 namespace render {
 namespace {
@@ -8,25 +12,84 @@ namespace {
 // Share of the whole map's texels that the seen air takes up, above which a map of its own is not worth being drawn.
 constexpr double kHardlyFiner = 0.75;
 
+// Texels that are seen wider than this are worth a part of their own, if that much of the light that the map's air
+// scatters to the eye comes from so near, and the part's texels are that much finer.
+constexpr double kWidestTexelPx = 4.0;
+constexpr double kLeastShare = 0.06;
+constexpr double kFiner = 0.7;
+constexpr std::size_t kMostParts = 4;
+
 double area(const ShadowFit& fit) {
   return fit.empty ? 0.0 : fit.metres_per_unit.x * fit.metres_per_unit.y;
 }
 
+double texel_m(const ShadowFit& fit, int size_px) {
+  return std::max(fit.metres_per_unit.x, fit.metres_per_unit.y) / size_px;
+}
+
+// Down to half an octave, so that it seldom moves.
+double in_steps(double distance_m) {
+  return std::exp2(0.5 * std::floor(2.0 * std::log2(distance_m)));
+}
+
 }  // namespace
 
-const SunShadow& AirShadow::update(const SunShadow& shadow, const SceneState& scene, const View& view, GLuint depth,
-                                   GpuModels& models) {
-  const SeenDepth seen = seen_.read(view, depth);
-  std::array<ShadowFit, 2> parts;
-  bool finer = false;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const ShadowMap& map = shadow.map(kCasterKinds[i]);
-    parts[i] = fit_to_seen_air(map.fit, map.size_px, view, *scene.medium, seen);
-    finer = finer || area(parts[i]) < kHardlyFiner * area(map.fit);
+std::vector<AxisRange> part_air(const ShadowFit& whole, int size_px, const View& view, const Medium& medium,
+                                const SeenDepth& seen) {
+  std::vector<AxisRange> ranges{{}};
+  ShadowFit nearest = fit_to_seen_air(whole, size_px, view, medium, seen);
+  const double extinction = extinction_at(medium, view.eye_in_world);
+  const double most = scattered_fraction(extinction, glm::length(nearest.metres_per_unit));
+  while (ranges.size() < kMostParts && !nearest.empty) {
+    const double texel = texel_m(nearest, size_px);
+    const double split_m = in_steps(texel * std::min(view.focal_px.x, view.focal_px.y) / kWidestTexelPx);
+    if (split_m >= ranges.front().to_m || scattered_fraction(extinction, split_m) < kLeastShare * most) break;
+    nearest = fit_to_seen_air(whole, size_px, view, medium, seen, {0.0, split_m});
+    if (!nearest.empty && texel_m(nearest, size_px) > kFiner * texel) break;
+    ranges.front().from_m = split_m;
+    ranges.insert(ranges.begin(), {0.0, split_m});
   }
-  if (!finer) return shadow;
-  maps_.update_parts(shadow, parts, scene, models);
-  return maps_;
+  return ranges;
+}
+
+const SunShadow& AirShadow::maps_of(std::size_t part, const AxisRange& range, const SunShadow& shadow,
+                                    const SceneState& scene, const View& view, const SeenDepth& seen,
+                                    GpuModels& models) {
+  std::array<ShadowFit, 2> fits;
+  bool finer = false;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const ShadowMap& map = shadow.map(kCasterKinds[i]);
+    fits[i] = fit_to_seen_air(map.fit, map.size_px, view, *scene.medium, seen, range);
+    finer = finer || area(fits[i]) < kHardlyFiner * area(map.fit);
+  }
+  // Nothing to draw, and as if all of it were lit; but among other parts the technique still has to look.
+  const bool none = std::ranges::all_of(fits, [](const ShadowFit& fit) { return fit.empty; });
+  if (!finer || (none && !range.all())) return shadow;
+  while (maps_.size() <= part) maps_.push_back(std::make_unique<SunShadow>());
+  maps_[part]->update_parts(shadow, fits, scene, models);
+  return *maps_[part];
+}
+
+std::span<const AirPart> AirShadow::update(const SunShadow& shadow, const SceneState& scene, const View& view,
+                                           GLuint depth, GpuModels& models) {
+  const SeenDepth seen = seen_.read(view, depth);
+  std::vector<AxisRange> ranges{{}};
+  for (const Casters kind : kCasterKinds) {
+    if (!gl::extensions().float_blend) break;  // techniques add parts up in 32-bit floats
+    const ShadowMap& map = shadow.map(kind);
+    std::vector<AxisRange> found = part_air(map.fit, map.size_px, view, *scene.medium, seen);
+    if (found.size() > ranges.size()) ranges = std::move(found);
+  }
+  parts_.clear();
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const SunShadow& maps = maps_of(i, ranges[i], shadow, scene, view, seen, models);
+    if (!parts_.empty() && parts_.back().maps == &maps) {
+      parts_.back().range.to_m = ranges[i].to_m;
+    } else {
+      parts_.push_back({&maps, ranges[i]});
+    }
+  }
+  return parts_;
 }
 
 }  // namespace render

@@ -1,23 +1,46 @@
 #pragma once
 
+#include <memory>
+#include <span>
+#include <vector>
+
 #include "render/shadow/seen_air.h"
 #include "render/shadow/sun_shadow.h"
 
 namespace render {
 
+// The air in a range of distances, and the maps to look for its casters in.
+struct AirPart {
+  const SunShadow* maps = nullptr;
+  AxisRange range;
+};
+
+// The ranges that the air in a map's fit is parted into, nearest first: where the map's texels would be seen much wider
+// than a pixel in a good share of the air, what lies so near is parted off for a map of its own; and so on
+// (z-partitions as Zhang et al. 2006, "Parallel-split shadow maps", placed by what is seen instead of by a scheme). One
+// range where that is not so. They move in steps, so that a moving view seldom needs new maps.
+std::vector<AxisRange> part_air(const ShadowFit& whole, int size_px, const View& view, const Medium& medium,
+                                const SeenDepth& seen);
+
 // The sun's shadow maps once more, for the air: only over that part of it which is seen, so that their texels are finer
-// than those of the maps for surfaces, which keep still while the view moves.
+// than those of the maps for surfaces, which keep still while the view moves; and in z-partitions where the view
+// reaches so far that those near the eye would be coarse.
 class AirShadow {
  public:
-  // The maps to look for the air's casters in: its own, drawn again when the part that is seen has changed by more than
-  // a step; or `shadow` (up to date) where their texels would be hardly finer. `depth`: as ShaftInputs has it.
-  // Waits for the GL, and leaves framebuffer, viewport, program and depth state changed.
-  const SunShadow& update(const SunShadow& shadow, const SceneState& scene, const View& view, GLuint depth,
-                          GpuModels& models);
+  // All of the air, nearest parts first, and the maps to look for its casters in: its own, drawn again when the part
+  // that is seen has changed by more than a step; or `shadow` (up to date) where their texels would be hardly finer.
+  // `depth`: as ShaftInputs has it. Valid until the next call. Waits for the GL, and leaves framebuffer, viewport,
+  // program and depth state changed.
+  std::span<const AirPart> update(const SunShadow& shadow, const SceneState& scene, const View& view, GLuint depth,
+                                  GpuModels& models);
 
  private:
+  const SunShadow& maps_of(std::size_t part, const AxisRange& range, const SunShadow& shadow, const SceneState& scene,
+                           const View& view, const SeenDepth& seen, GpuModels& models);
+
   SeenDepthPass seen_;
-  SunShadow maps_;
+  std::vector<std::unique_ptr<SunShadow>> maps_;
+  std::vector<AirPart> parts_;
 };
 
 }  // namespace render

@@ -11,7 +11,7 @@ namespace render {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr int kSteps = 32;  // of a fit's size
+constexpr double kLargestStep = 1.0 / 32.0;  // of a fit's size
 
 struct Stretch {
   double from = 0.0;
@@ -83,7 +83,7 @@ SeenDepth SeenDepthPass::read(const View& view, GLuint depth) {
 }
 
 ShadowFit fit_to_seen_air(const ShadowFit& whole, int size_px, const View& view, const Medium& medium,
-                          const SeenDepth& seen) {
+                          const SeenDepth& seen, const AxisRange& range) {
   if (whole.empty) return whole;
   const glm::dmat4 map_from_local = whole.map_from_world * glm::inverse(view.local_from_world());
   const glm::dvec3 eye(map_from_local[3]);
@@ -96,7 +96,7 @@ ShadowFit fit_to_seen_air(const ShadowFit& whole, int size_px, const View& view,
     for (int column = 0; column <= seen.columns; ++column) {
       const glm::dvec3 ray = ray_from_px * glm::dvec3(column * SeenDepth::kTilePx, row * SeenDepth::kTilePx, 1.0);
       const glm::dvec3 along = glm::dmat3(map_from_local) * ray;
-      Stretch stretch{0.0, reach_at_corner(seen, column, row)};
+      Stretch stretch{range.from_m, std::min(reach_at_corner(seen, column, row), range.to_m)};
       for (int axis = 0; axis < 2; ++axis) stretch.cut(eye[axis], along[axis], 0.0, 1.0);
       stretch.cut(eye.z, along.z, 0.0, kInfinite);
       for (int axis = 0; axis < 3 && medium.extent; ++axis) {
@@ -114,11 +114,11 @@ ShadowFit fit_to_seen_air(const ShadowFit& whole, int size_px, const View& view,
   fit.empty = air.low.x > air.high.x;
   if (fit.empty) return fit;
   const glm::dvec2 margin(3.0 / size_px);
-  const glm::dvec2 low =
-      glm::clamp(glm::floor((air.low - margin) * double{kSteps}), 0.0, kSteps - 1.0) / double{kSteps};
-  const glm::dvec2 high =
-      glm::clamp(glm::ceil((air.high + margin) * double{kSteps}), 1.0, double{kSteps}) / double{kSteps};
-  const glm::dvec2 part = glm::max(high - low, 1.0 / kSteps);
+  const glm::dvec2 size = glm::clamp(air.high - air.low, 16.0 / size_px, 1.0);
+  const glm::dvec2 step = glm::min(glm::exp2(glm::floor(glm::log2(size / 4.0))), kLargestStep);
+  const glm::dvec2 low = glm::clamp(glm::floor((air.low - margin) / step) * step, glm::dvec2(0.0), 1.0 - step);
+  const glm::dvec2 high = glm::clamp(glm::ceil((air.high + margin) / step) * step, step, glm::dvec2(1.0));
+  const glm::dvec2 part = glm::max(high - low, step);
   fit.map_from_world = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / part, 1.0)) *
                        glm::translate(glm::dmat4(1.0), glm::dvec3(-low, 0.0)) * whole.map_from_world;
   fit.metres_per_unit *= glm::dvec3(part, 1.0);

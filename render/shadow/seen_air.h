@@ -2,6 +2,8 @@
 
 #include <GLES3/gl31.h>
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "render/gl/buffer.h"
@@ -37,9 +39,19 @@ class SeenDepthPass {
   gl::VertexArray no_vertices_;
 };
 
-// The part of a fit that the air which is seen takes up, a little larger, in steps of 1/32 of the whole, so that a
-// moving view seldom needs a new map; empty where none of that air lies behind the fit's casters.
+// A range of distances along the camera's axis, metres; all of them unless it says less.
+struct AxisRange {
+  double from_m = 0.0;
+  double to_m = std::numeric_limits<double>::infinity();
+
+  bool all() const { return from_m == 0.0 && std::isinf(to_m); }
+  bool operator==(const AxisRange&) const = default;
+};
+
+// The part of a fit that the air which is seen takes up within that range, a little larger, in steps of 1/32 of the
+// whole, or at most a quarter of itself, so that a moving view seldom needs a new map; empty where none of that air
+// lies behind the fit's casters.
 ShadowFit fit_to_seen_air(const ShadowFit& whole, int size_px, const View& view, const Medium& medium,
-                          const SeenDepth& seen);
+                          const SeenDepth& seen, const AxisRange& range = {});
 
 }  // namespace render

@@ -19,7 +19,8 @@ enum : int {
   kDivided = 8,
   kVirtualCasters = 16,
   kRealCasters = 32,
-  kCorners = 64
+  kCorners = 64,
+  kParted = 128
 };
 
 // Texture units of the shadow maps, compared and plain, and of their bounds.
@@ -99,13 +100,14 @@ int cell_px(const View& view, const glm::ivec2& size_px) {
 
 }  // namespace
 
-int AirProgram::variant_of(const ShaftInputs& inputs, const glm::ivec2& size_px) const {
+int AirProgram::variant_of(const ShaftInputs& inputs, const glm::ivec2& size_px, const AxisRange& range) const {
   const Medium& medium = *inputs.scene.medium;
   const auto cast = [&](Casters kind) { return sun_disc_ && !inputs.casters().map(kind).fit.empty; };
   const bool corners = sky_at_corners_ && cell_px(inputs.view, size_px) == kLargestCellPx;
-  return (corners ? kCorners : 0) | (medium.extent ? kBounded : 0) | (medium.falloff ? kFalloff : 0) |
-         (inputs.depth == 0 ? kNoDepth : 0) | (size_px.x < inputs.view.width ? kDivided : 0) |
-         (cast(Casters::Virtual) ? kVirtualCasters : 0) | (cast(Casters::Real) ? kRealCasters : 0);
+  return (corners ? kCorners : 0) | (range.all() ? 0 : kParted) | (medium.extent ? kBounded : 0) |
+         (medium.falloff ? kFalloff : 0) | (inputs.depth == 0 ? kNoDepth : 0) |
+         (size_px.x < inputs.view.width ? kDivided : 0) | (cast(Casters::Virtual) ? kVirtualCasters : 0) |
+         (cast(Casters::Real) ? kRealCasters : 0);
 }
 
 gl::Defines AirProgram::defines_of(int variant) const {
@@ -115,6 +117,7 @@ gl::Defines AirProgram::defines_of(int variant) const {
   if ((variant & kNoDepth) != 0) defines.push_back({"NO_DEPTH"});
   if ((variant & kDivided) != 0) defines.push_back({"DIVIDED"});
   if ((variant & kCorners) != 0) defines.push_back({"SKY_AT_CORNERS"});
+  if ((variant & kParted) != 0) defines.push_back({"PARTED"});
   if (!sun_disc_) return defines;
   defines.insert(defines.end(), {{"SUN_DISC", ""}, {"BLOCKER_TAPS", "8"}, {"FILTER_TAPS", "16"}});
   if ((variant & kVirtualCasters) != 0) defines.push_back({"VIRTUAL_CASTERS"});
@@ -130,8 +133,8 @@ void AirProgram::set_sun_disc(const gl::Program& program, const ShaftInputs& inp
   }
 }
 
-const gl::Program& AirProgram::use(const ShaftInputs& inputs, const glm::ivec2& size_px) {
-  const int variant = variant_of(inputs, size_px);
+const gl::Program& AirProgram::use(const ShaftInputs& inputs, const glm::ivec2& size_px, const AxisRange& range) {
+  const int variant = variant_of(inputs, size_px, range);
   auto found = variants_.find(variant);
   if (found == variants_.end()) {
     found = variants_
@@ -144,6 +147,10 @@ const gl::Program& AirProgram::use(const ShaftInputs& inputs, const glm::ivec2& 
   set_view(found->second, inputs, size_px);
   set_medium(found->second, inputs);
   set_light(found->second, inputs.scene);
+  if (!range.all()) {
+    // Beyond what any ray reaches: single precision has no endless ways to multiply with.
+    found->second.set("part_m", glm::vec2(range.from_m, std::min(range.to_m, 1e30)));
+  }
   if (sun_disc_) set_sun_disc(found->second, inputs);
   cells_ = glm::ivec2(0);
   if ((variant & kCorners) != 0) set_cells(found->second, inputs.view, size_px);

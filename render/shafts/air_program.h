@@ -10,8 +10,8 @@
 namespace render {
 
 // A fragment shader over shaders/shafts/ray.glsl in the variants that media and views ask for (NO_DEPTH, DIVIDED,
-// BOUNDED, FALLOFF), each made when first used. Software rasterisers draw pixels at the rims of cells twice: cheap
-// shaders take the sky's light from the cells' corners (SkyAtCorners), costly ones compute it.
+// BOUNDED, FALLOFF, PARTED), each made when first used. Software rasterisers draw pixels at the rims of cells twice:
+// cheap shaders take the sky's light from the cells' corners (SkyAtCorners), costly ones compute it.
 class AirProgram {
  public:
   // With `sun_disc` for the shader to look at the sun as a disc (SUN_DISC, VIRTUAL_CASTERS, REAL_CASTERS).
@@ -26,8 +26,9 @@ class AirProgram {
       : path_(std::move(fragment_path)), defines_(std::move(defines)), sky_at_corners_(true) {}
 
   // In use, with all that ray.glsl, view_depth.glsl and shade.glsl need for a picture of that size, on texture unit 0;
-  // and what sun_map.glsl does where the sun is a disc, on units 2 to 7, which release() lets go of.
-  const gl::Program& use(const ShaftInputs& inputs, const glm::ivec2& size_px);
+  // and what sun_map.glsl does where the sun is a disc, on units 2 to 7, which release() lets go of. Of the air in that
+  // range alone: the nearest also has the sky's light and what the whole ray lets through; the others' is to be added.
+  const gl::Program& use(const ShaftInputs& inputs, const glm::ivec2& size_px, const AxisRange& range = {});
   void release() const;
 
   // Draws that picture with the program in use: in cells for a shader with SKY_AT_CORNERS, where the picture is fine
@@ -35,7 +36,7 @@ class AirProgram {
   void draw() const;
 
  private:
-  int variant_of(const ShaftInputs& inputs, const glm::ivec2& size_px) const;
+  int variant_of(const ShaftInputs& inputs, const glm::ivec2& size_px, const AxisRange& range) const;
   gl::Defines defines_of(int variant) const;
   void set_cells(const gl::Program& program, const View& view, const glm::ivec2& size_px);
   void set_sun_disc(const gl::Program& program, const ShaftInputs& inputs) const;

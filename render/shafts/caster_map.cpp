@@ -28,11 +28,10 @@ struct Range {
 
 }  // namespace
 
-void CasterMap::update(const ShaftInputs& inputs) {
+void CasterMap::update(const ShaftInputs& inputs, const SunShadow& maps) {
   Key key;
-  key.maps = &inputs.casters();
-  for (std::size_t i = 0; i < kCasterKinds.size(); ++i)
-    key.revisions[i] = inputs.casters().map(kCasterKinds[i]).revision;
+  key.maps = &maps;
+  for (std::size_t i = 0; i < kCasterKinds.size(); ++i) key.revisions[i] = maps.map(kCasterKinds[i]).revision;
   if (const auto& extent = inputs.scene.medium->extent) {
     key.box_low = extent->min_in_world;
     key.box_high = extent->max_in_world;
@@ -40,16 +39,16 @@ void CasterMap::update(const ShaftInputs& inputs) {
   if (made_ && key == key_) return;
   key_ = key;
   made_ = true;
-  empty_ = std::ranges::all_of(kCasterKinds, [&](Casters kind) { return inputs.casters().map(kind).fit.empty; });
+  empty_ = std::ranges::all_of(kCasterKinds, [&](Casters kind) { return maps.map(kind).fit.empty; });
   if (empty_) return;
   only_.reset();
   if (coarseness_ == 1) {
     for (std::size_t i = 0; i < kCasterKinds.size(); ++i) {
-      if (inputs.casters().map(kCasterKinds[1 - i]).fit.empty) only_ = kCasterKinds[i];
+      if (maps.map(kCasterKinds[1 - i]).fit.empty) only_ = kCasterKinds[i];
     }
   }
   if (only_) {
-    const ShadowMap& map = inputs.casters().map(*only_);
+    const ShadowMap& map = maps.map(*only_);
     map_from_world_ = map.fit.map_from_world;
     size_m_ = map.fit.metres_per_unit;
     size_px_ = glm::ivec2(map.size_px);
@@ -64,7 +63,7 @@ void CasterMap::place(const ShaftInputs& inputs) {
   glm::dmat4 axes(1.0);
   Range all;
   for (const Casters kind : kCasterKinds) {
-    const ShadowFit& fit = inputs.casters().map(kind).fit;
+    const ShadowFit& fit = key_.maps->map(kind).fit;
     if (fit.empty) continue;
     if (all.low.x > all.high.x) axes = glm::scale(glm::dmat4(1.0), fit.metres_per_unit) * fit.map_from_world;
     all.add(axes * glm::inverse(fit.map_from_world), glm::dvec3(0.0), glm::dvec3(1.0));
@@ -84,11 +83,11 @@ void CasterMap::place(const ShaftInputs& inputs) {
   map_from_world_ = glm::scale(glm::dmat4(1.0), 1.0 / size_m_) * glm::translate(glm::dmat4(1.0), -all.low) * axes;
 }
 
-glm::ivec2 CasterMap::wanted_size(const ShaftInputs& inputs) const {
+glm::ivec2 CasterMap::wanted_size() const {
   int largest = 1;
   glm::dvec2 texel_m(std::numeric_limits<double>::infinity());
   for (const Casters kind : kCasterKinds) {
-    const ShadowMap& map = inputs.casters().map(kind);
+    const ShadowMap& map = key_.maps->map(kind);
     if (map.fit.empty) continue;
     largest = std::max(largest, map.size_px);
     texel_m = glm::min(texel_m, glm::dvec2(map.fit.metres_per_unit) / static_cast<double>(map.size_px));
@@ -102,11 +101,11 @@ void CasterMap::draw(const ShaftInputs& inputs) {
   int present = 0;
   gl::Defines defines;
   for (std::size_t i = 0; i < kCasterKinds.size(); ++i) {
-    if (inputs.casters().map(kCasterKinds[i]).fit.empty) continue;
+    if (key_.maps->map(kCasterKinds[i]).fit.empty) continue;
     present |= 1 << i;
     defines.push_back({i == 0 ? "VIRTUAL_CASTERS" : "REAL_CASTERS"});
   }
-  size_px_ = wanted_size(inputs);
+  size_px_ = wanted_size();
   if (depth_.width() != size_px_.x || depth_.height() != size_px_.y) {
     depth_ = gl::Texture(GL_R32F, size_px_.x, size_px_.y, gl::Filter::Nearest, 1, "first casters");
     framebuffer_ = gl::Framebuffer({&depth_}, nullptr, "first casters");
@@ -118,9 +117,9 @@ void CasterMap::draw(const ShaftInputs& inputs) {
   program.use();
   program.set("texel", 1.0F / glm::vec2(size_px_));
   for (std::size_t i = 0; i < kCasterKinds.size(); ++i) {
-    const ShadowFit& fit = inputs.casters().map(kCasterKinds[i]).fit;
+    const ShadowFit& fit = key_.maps->map(kCasterKinds[i]).fit;
     if (fit.empty) continue;
-    inputs.casters().bind(kCasterKinds[i], inputs.view, program, kUnits[i]);
+    key_.maps->bind(kCasterKinds[i], inputs.view, program, kUnits[i]);
     const glm::dmat4 shadow_from_map = fit.map_from_world * glm::inverse(map_from_world_);
     const std::string prefix = i == 0 ? "virtual_" : "real_";
     program.set(prefix + "scale", glm::vec3(shadow_from_map[0].x, shadow_from_map[1].y, shadow_from_map[2].z));
@@ -137,7 +136,7 @@ void CasterMap::bind(const gl::Program& program, const ShaftInputs& inputs, int 
   program.set("end_margin", 0.0F);
   program.set("caster_depth", unit);
   if (only_) {
-    inputs.casters().bind_depth(*only_, unit);
+    key_.maps->bind_depth(*only_, unit);
   } else {
     depth_.bind(unit);
   }

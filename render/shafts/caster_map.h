@@ -20,8 +20,9 @@ class CasterMap {
   // map, that itself. 2: half as many across as the shadow maps, small enough for a processor's caches.
   explicit CasterMap(int coarseness) : coarseness_(coarseness) {}
 
-  // Changes framebuffer, viewport and program when it draws.
-  void update(const ShaftInputs& inputs);
+  // From those maps. Changes framebuffer, viewport and program when it draws.
+  void update(const ShaftInputs& inputs, const SunShadow& maps);
+  void update(const ShaftInputs& inputs) { update(inputs, inputs.casters()); }
 
   bool empty() const { return empty_; }  // no casters
   // To that texture unit, with all that shaders/shafts/caster_depth.glsl needs. unbind() lets go of the unit.
@@ -41,7 +42,7 @@ class CasterMap {
   };
 
   void place(const ShaftInputs& inputs);
-  glm::ivec2 wanted_size(const ShaftInputs& inputs) const;
+  glm::ivec2 wanted_size() const;
   void draw(const ShaftInputs& inputs);
 
   Key key_;

@@ -36,14 +36,14 @@ Epipolar::Epipolar(const LineSettings& settings, const MarchSteps& steps)
 }
 
 // For pixels up to `beside_px` beside their slices: the walk ends twice that before surfaces, for walls seen askew.
-void Epipolar::bind(const gl::Program& program, const ShaftInputs& inputs, const LineLayout& layout,
+void Epipolar::bind(const gl::Program& program, const Part& part, const ShaftInputs& inputs, const LineLayout& layout,
                     double beside_px) const {
   layout.set(program);
-  casters_.bind(program, inputs, kMapUnit);
+  part.casters.bind(program, inputs, kMapUnit);
   if (steps_) {
     steps_->set(program);
   } else {
-    trees_.bind(program, kTreesUnit);
+    part.trees.bind(program, kTreesUnit);
     const double px_rad = inputs.view.width / (inputs.view.focal_px.x * layout.picture_px.x);
     program.set("end_margin", static_cast<float>(std::min(2.0 * beside_px * px_rad, 0.5)));
   }
@@ -56,18 +56,29 @@ void Epipolar::draw_places(const gl::Program& program, const gl::Framebuffer& ta
   draw_row_groups(no_vertices_, rows);
 }
 
+void Epipolar::make_storage(const LineLayout& layout) {
+  if (samples_.width() == layout.samples && samples_.height() >= layout.rows) return;
+  const int rows = layout.rows;
+  samples_ = gl::Texture(GL_RGBA32F, layout.samples, rows, gl::Filter::Nearest, 1, "samples on lines");
+  pairs_ = gl::Texture(GL_RGBA32F, layout.samples - 1, rows, gl::Filter::Nearest, 1, "pairs of samples");
+  to_samples_ = gl::Framebuffer({&samples_}, nullptr, "samples on lines");
+  to_pairs_ = gl::Framebuffer({&pairs_}, nullptr, "pairs of samples");
+}
+
 void Epipolar::draw_samples(const ShaftInputs& inputs, const LineLayout& layout) {
-  if (samples_.width() != layout.samples || samples_.height() < layout.rows) {
-    const int rows = layout.rows;
-    samples_ = gl::Texture(GL_RGBA32F, layout.samples, rows, gl::Filter::Nearest, 1, "samples on lines");
-    pairs_ = gl::Texture(GL_RGBA32F, layout.samples - 1, rows, gl::Filter::Nearest, 1, "pairs of samples");
-    to_samples_ = gl::Framebuffer({&samples_}, nullptr, "samples on lines");
-    to_pairs_ = gl::Framebuffer({&pairs_}, nullptr, "pairs of samples");
+  const std::vector<AirPart> parts = inputs.parts();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!steps_) parts_[i].trees.update(inputs, parts_[i].casters, layout);
+    add_up(i);
+    to_samples_.bind();
+    const gl::Program& sample = sample_.use(inputs, layout.picture_px, parts[i].range);
+    bind(sample, parts_[i], inputs, layout, 0.0);
+    draw_places(sample, to_samples_, 2, layout.rows);
   }
-  to_samples_.bind();
-  const gl::Program& sample = sample_.use(inputs, layout.picture_px);
-  bind(sample, inputs, layout, 0.0);
-  draw_places(sample, to_samples_, 2, layout.rows);
+  plain_state();
+}
+
+void Epipolar::draw_pairs(const LineLayout& layout) {
   to_pairs_.bind();
   const std::array<float, 4> tells_nothing{0.0F, 0.0F, 1e9F, 1e9F};  // line_pairs.frag
   glClearBufferfv(GL_COLOR, 0, tells_nothing.data());
@@ -80,12 +91,9 @@ void Epipolar::draw_samples(const ShaftInputs& inputs, const LineLayout& layout)
   draw_places(pair_, to_pairs_, 1, layout.rows);
 }
 
-void Epipolar::draw_picture(const ShaftInputs& inputs, const LineLayout& layout) {
-  const glm::ivec2 size_px = layout.picture_px;
-  target_.begin(inputs, size_px);
-  glEnable(GL_DEPTH_TEST);
-  // What samples tell is drawn nearest, whatever is there; the rest before the farthest.
-  const gl::Program& between = between_.use(inputs, size_px);
+// What samples tell is drawn nearest, whatever is there; the rest before the farthest.
+void Epipolar::draw_between(const ShaftInputs& inputs, const LineLayout& layout) {
+  const gl::Program& between = between_.use(inputs, layout.picture_px);
   layout.set(between);
   between.set("depth_tolerance", kDepthTolerance);
   between.set("pairs", kSamplesUnit);
@@ -95,22 +103,36 @@ void Epipolar::draw_picture(const ShaftInputs& inputs, const LineLayout& layout)
   glDepthRangef(0.0F, 0.0F);
   between_.draw();
   glDepthRangef(0.0F, 1.0F);
+}
+
+void Epipolar::draw_alone(const ShaftInputs& inputs, const LineLayout& layout) {
+  const std::vector<AirPart> parts = inputs.parts();
   glDepthFunc(GL_LESS);
-  bind(alone_.use(inputs, size_px), inputs, layout, 0.5 * settings_.line_px);
-  alone_.draw();
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_SCISSOR_TEST);
+  glDepthMask(GL_FALSE);  // all parts are of the same pixels
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    add_up(i);
+    bind(alone_.use(inputs, layout.picture_px, parts[i].range), parts_[i], inputs, layout, 0.5 * settings_.line_px);
+    alone_.draw();
+  }
+  glDepthMask(GL_TRUE);
+  plain_state();
 }
 
 const ShaftPicture& Epipolar::draw(const ShaftInputs& inputs) {
-  casters_.update(inputs);
-  if (casters_.empty()) return open_.draw(inputs);
+  const std::vector<AirPart> parts = inputs.parts();
+  while (parts_.size() < parts.size()) parts_.emplace_back();
+  for (std::size_t i = 0; i < parts.size(); ++i) parts_[i].casters.update(inputs, *parts[i].maps);
+  if (parts_.front().casters.empty()) return open_.draw(inputs);
   const glm::ivec2 size_px = shaft_size(inputs.view, settings_.divisor);
   const LineLayout layout = lay_out_lines(inputs, size_px, settings_.line_px, settings_.sample_px);
   plain_state();
-  if (!steps_) trees_.update(inputs, casters_, layout);
+  make_storage(layout);
   draw_samples(inputs, layout);
-  draw_picture(inputs, layout);
+  draw_pairs(layout);
+  target_.begin(inputs, size_px);
+  glEnable(GL_DEPTH_TEST);
+  draw_between(inputs, layout);
+  draw_alone(inputs, layout);
   CasterMap::unbind(kMapUnit);
   alone_.release();
   return target_.picture();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 
 #include "render/shafts/air_program.h"
@@ -32,15 +33,24 @@ class Epipolar : public ShaftTechnique {
 
  private:
   Epipolar(const LineSettings& settings, const gl::Defines& defines, bool sun_disc);
-  void bind(const gl::Program& program, const ShaftInputs& inputs, const LineLayout& layout, double beside_px) const;
+  // A part of the air, and what of its casters the walk or the march looks at.
+  struct Part {
+    CasterMap casters{1};
+    SliceTrees trees;
+  };
+
+  void bind(const gl::Program& program, const Part& part, const ShaftInputs& inputs, const LineLayout& layout,
+            double beside_px) const;
   void draw_places(const gl::Program& program, const gl::Framebuffer& target, int more, int rows) const;
+  void make_storage(const LineLayout& layout);
   void draw_samples(const ShaftInputs& inputs, const LineLayout& layout);
-  void draw_picture(const ShaftInputs& inputs, const LineLayout& layout);
+  void draw_pairs(const LineLayout& layout);
+  void draw_between(const ShaftInputs& inputs, const LineLayout& layout);
+  void draw_alone(const ShaftInputs& inputs, const LineLayout& layout);
 
   LineSettings settings_;
   std::optional<MarchSteps> steps_;
-  CasterMap casters_{1};
-  SliceTrees trees_;
+  std::deque<Part> parts_;  // of the air
   AirProgram sample_;
   gl::Program pair_{"shafts/line_places.vert", "shafts/line_pairs.frag"};
   AirProgram between_;  // pixels that samples tell

@@ -18,17 +18,22 @@ void MarchSteps::set(const gl::Program& program) const {
 
 const ShaftPicture& March::draw(const ShaftInputs& inputs) {
   constexpr int kMapUnit = 8;
-  casters_.update(inputs);
-  if (casters_.empty()) return open_.draw(inputs);
+  const std::vector<AirPart> parts = inputs.parts();
+  while (casters_.size() < parts.size()) casters_.emplace_back(1);
+  for (std::size_t i = 0; i < parts.size(); ++i) casters_[i].update(inputs, *parts[i].maps);
+  if (casters_.front().empty()) return open_.draw(inputs);
   const glm::ivec2 size_px = shaft_size(inputs.view, divisor_);
   target_.begin(inputs, size_px);
-  const gl::Program& march = march_.use(inputs, size_px);
-  steps_.set(march);
-  casters_.bind(march, inputs, kMapUnit);
-  march_.draw();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    add_up(i);
+    const gl::Program& march = march_.use(inputs, size_px, parts[i].range);
+    steps_.set(march);
+    casters_[i].bind(march, inputs, kMapUnit);
+    march_.draw();
+  }
   CasterMap::unbind(kMapUnit);
   march_.release();
-  glDisable(GL_SCISSOR_TEST);
+  plain_state();
   return target_.picture();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deque>
+
 #include "render/shafts/air_program.h"
 #include "render/shafts/caster_map.h"
 #include "render/shafts/closed_form.h"
@@ -33,7 +35,7 @@ class March : public ShaftTechnique {
  private:
   MarchSteps steps_;
   int divisor_;
-  CasterMap casters_{1};
+  std::deque<CasterMap> casters_;  // of each part of the air
   AirProgram march_;
   ShaftTarget target_;
   ClosedForm open_;

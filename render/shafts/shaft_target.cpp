@@ -38,6 +38,13 @@ void plain_state() {
   glDisable(GL_CULL_FACE);
 }
 
+void add_up(std::size_t part) {
+  if (part == 0) return;
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ONE, GL_ONE);
+}
+
 void ShaftTarget::begin(const ShaftInputs& inputs, const glm::ivec2& size_px) {
   const bool with_distance = inputs.with_distance || size_px != glm::ivec2(inputs.view.width, inputs.view.height);
   if (picture_.width != size_px.x || picture_.height != size_px.y || (picture_.distance != 0) != with_distance) {

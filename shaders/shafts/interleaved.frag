@@ -83,7 +83,7 @@ void main() {
 
   Air air = air_along(ray, stretch.x);
   vec2 shadow = shadow_stretch(ray.direction);
-  vec2 marched = marched_stretch(shadow, air, stretch);
+  vec2 marched = marched_stretch(shadow, air, stretch, stretch);
   if (marched.y <= marched.x) return;
   float lit = march(ray, air, marched, step_offset(ivec2(gl_FragCoord.xy)));
   float all = sunlight_to(air, stretch.y);

@@ -12,6 +12,9 @@
 // variant: ALONE BOUNDED FALLOFF
 // variant: ALONE BOTH_SLICES
 // variant: ALONE LINE_MARCH
+// variant: ALONE PARTED
+// variant: ALONE PARTED BOTH_SLICES
+// variant: ALONE PARTED LINE_MARCH BOUNDED FALLOFF
 // variant: ALONE LINE_MARCH BOUNDED
 // variant: ALONE LINE_MARCH SUN_DISC REAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
@@ -32,31 +35,31 @@ layout(location = 0) out vec4 scattered;
 layout(location = 1) out float distance_along_axis;
 
 #ifdef ALONE
-float sunlight_seen(float z, Ray ray, Air air, vec2 stretch, float all) {
+float sunlight_seen(float z, Ray ray, Air air, vec2 stretch, vec2 part, float all) {
 #if defined(LINE_MARCH)
-  return lit_sunlight(0, ray, air, stretch, all).x;
+  return lit_sunlight(0, ray, air, stretch, part, all).x;
 #elif defined(BOTH_SLICES)
   float row = on_line(gl_FragCoord.xy).row;
   float first = floor(row);
-  return mix(lit_sunlight(int(first), ray, air, stretch, all).x,
-             lit_sunlight(int(first) + 1, ray, air, stretch, all).x, row - first);
+  return mix(lit_sunlight(int(first), ray, air, stretch, part, all).x,
+             lit_sunlight(int(first) + 1, ray, air, stretch, part, all).x, row - first);
 #else
   // The nearest slice; halfway between two, neighbouring pixels take turns.
   vec2 turn = fract(0.5 * floor(gl_FragCoord.xy));
   float nearest = floor(on_line(gl_FragCoord.xy).row + (turn.x == turn.y ? 0.499 : 0.501));
-  return lit_sunlight(int(nearest), ray, air, stretch, all).x;
+  return lit_sunlight(int(nearest), ray, air, stretch, part, all).x;
 #endif
 }
 #else
 // x: sunlight that gets past the casters; y: 1 where the two samples of one line tell it.
-vec2 between(vec4 pair, float part, float nearness, float all) {
+vec2 between(vec4 pair, float along, float nearness, float all) {
   vec2 ends = abs(pair.zw);
   float spread = ends.y - ends.x;
   float margin = depth_tolerance * max(ends.x, ends.y);
   // One over the distance is linear along a line on a flat surface. At the edge of a nearer thing the pixel takes the
   // value of the side that it is on; what is kept never grows less with the distance, so between two distances it is
   // between the two values.
-  float place = abs(spread) <= margin ? part : clamp((nearness - ends.x) / spread, 0.0, 1.0);
+  float place = abs(spread) <= margin ? along : clamp((nearness - ends.x) / spread, 0.0, 1.0);
   bool in_range = nearness >= min(ends.x, ends.y) - margin && nearness <= max(ends.x, ends.y) + margin;
   // And where both are shaded throughout, to farther away, the pixel is too.
   bool nearer = pair.z > 0.0 && pair.x == 0.0 && pair.y == 0.0 && nearness >= min(ends.x, ends.y);
@@ -64,15 +67,15 @@ vec2 between(vec4 pair, float part, float nearness, float all) {
   return vec2(clamp(pair.z < 0.0 ? all - kept : kept, 0.0, all), in_range || nearer ? 1.0 : 0.0);
 }
 
-float sunlight_seen(float z, Ray ray, Air air, vec2 stretch, float all) {
+float sunlight_seen(float z, Ray ray, Air air, vec2 stretch, vec2 part, float all) {
   OnLine at = on_line(gl_FragCoord.xy);
   float row = floor(at.row);
   float column = floor(at.ahead_px / sample_px);
   float from_px = column * sample_px;
-  float part = clamp((at.ahead_px - from_px) / max(min(from_px + sample_px, at.whole_px) - from_px, 1e-6), 0.0, 1.0);
+  float along = clamp((at.ahead_px - from_px) / max(min(from_px + sample_px, at.whole_px) - from_px, 1e-6), 0.0, 1.0);
   vec2 texel = (vec2(column, row) + 0.5) * pairs_texel;
-  vec2 one = between(textureLod(pairs, texel, 0.0), part, 1.0 / z, all);
-  vec2 other = between(textureLod(pairs, texel + vec2(0.0, pairs_texel.y), 0.0), part, 1.0 / z, all);
+  vec2 one = between(textureLod(pairs, texel, 0.0), along, 1.0 / z, all);
+  vec2 other = between(textureLod(pairs, texel + vec2(0.0, pairs_texel.y), 0.0), along, 1.0 / z, all);
   float beside = at.row - row;
   vec2 weights = vec2(1.0 - beside, beside) * vec2(one.y, other.y);
   float weight = weights.x + weights.y;
@@ -86,7 +89,7 @@ void main() {
   Ray ray = view_ray(gl_FragCoord.xy);
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
-  distance_along_axis = z;
-  float all = sunlight_to(air, stretch.y);
-  scattered = shaded_air(ray, air, stretch, sunlight_seen(z, ray, air, stretch, all));
+  distance_along_axis = is_first_part() ? z : 0.0;
+  vec2 part = part_of(ray, stretch);
+  scattered = shaded_air(ray, air, stretch, sunlight_seen(z, ray, air, stretch, part, sunlight_in(air, part)));
 }

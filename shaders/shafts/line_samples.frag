@@ -5,6 +5,9 @@
 // variant: FALLOFF
 // variant: BOUNDED FALLOFF
 // variant: LINE_MARCH
+// variant: PARTED
+// variant: PARTED BOUNDED FALLOFF
+// variant: PARTED LINE_MARCH
 // variant: LINE_MARCH BOUNDED
 // variant: LINE_MARCH SUN_DISC REAL_CASTERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
@@ -25,9 +28,14 @@ void main() {
   Ray ray = view_ray(px);
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
-  float all = sunlight_to(air, stretch.y);
+  vec2 part = part_of(ray, stretch);
+  float all = sunlight_in(air, part);
   bool beyond = place_px >= line.length_px + sample_px;  // the line has begun already
-  if (beyond) stretch = vec2(0.0);
-  vec2 lit = lit_sunlight(int(row), ray, air, stretch, all);
+  if (beyond) stretch = part = vec2(0.0);
+  vec2 lit = lit_sunlight(int(row), ray, air, stretch, part, all);
   sampled = vec4(lit.x, all - lit.x, 1.0 / z, beyond ? -1.0 : lit.y);
+#ifdef PARTED
+  if (beyond || !ends_in_part(ray, stretch)) sampled.w = beyond && is_first_part() ? -1.0 : 0.0;
+  if (!is_first_part()) sampled.z = 0.0;
+#endif
 }

@@ -1,5 +1,6 @@
 // The view ray of a shaft pixel, the medium's stretch of it, and the sun's light in it. Shared by all techniques.
-// BOUNDED: the medium is a box. FALLOFF: it thins out with height.
+// BOUNDED: the medium is a box. FALLOFF: it thins out with height. PARTED: only the air in a range of distances is looked
+// at, and what several of them find is added up.
 #ifndef OUT
 #define OUT(type) out type
 #endif
@@ -17,6 +18,10 @@ uniform vec3 sun_direction_in_local;
 #ifdef FALLOFF
 uniform float log_extinction;  // of the extinction at the eye
 uniform float scale_height_m;
+#endif
+
+#ifdef PARTED
+uniform vec2 part_m;  // the range, along the camera's axis
 #endif
 
 const float kSkyM = 1e9;     // what stands for no surface at all
@@ -155,5 +160,43 @@ float sunlight_to(Air air, float t) {
   return sunlight_of(air, vec2(air.entry, t));
 #else
   return scattered_fraction(max(view_depth_to(air, t), 0.0));
+#endif
+}
+
+// The part of the medium's stretch that this is about.
+vec2 part_of(Ray ray, vec2 stretch) {
+#ifdef PARTED
+  vec2 part = intersect(stretch, part_m * ray.metres_per_z);
+  return part.y - part.x > 1e-5 * part.y ? part : vec2(part.x);  // less is rounding, too little to look at its end
+#else
+  return stretch;
+#endif
+}
+
+// And its sunlight.
+float sunlight_in(Air air, vec2 part) {
+#ifdef PARTED
+  return sunlight_of(air, part);
+#else
+  return sunlight_to(air, part.y);
+#endif
+}
+
+// Whether a stretch of the ray ends there.
+bool ends_in_part(Ray ray, vec2 stretch) {
+#ifdef PARTED
+  float end = max(stretch.y, 0.0);
+  return end >= part_m.x * ray.metres_per_z && end < part_m.y * ray.metres_per_z;
+#else
+  return true;
+#endif
+}
+
+// Whether what several parts have in common is this one's to tell.
+bool is_first_part() {
+#ifdef PARTED
+  return part_m.x <= 0.0;
+#else
+  return true;
 #endif
 }

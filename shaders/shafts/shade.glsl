@@ -27,12 +27,22 @@ vec4 nearest_half(vec4 value) {
   return uintBitsToFloat((bits + 0x1000u) & 0xffffe000u);
 }
 
+// Half floats end at 65504, which the sum of up to four parts must not reach.
+#ifdef PARTED
+const float kBrightest = 16000.0;
+#else
+const float kBrightest = 60000.0;
+#endif
+
 // rgb: luminance; a: transmittance. `sunlit` is sunlight_of() the stretch, less what is shaded.
 vec4 shaded_air(Ray ray, Air air, vec2 stretch, float sunlit) {
-  if (stretch.y <= stretch.x) return vec4(0.0, 0.0, 0.0, 1.0);
+  if (stretch.y <= stretch.x) return vec4(0.0, 0.0, 0.0, is_first_part() ? 1.0 : 0.0);
   float depth = max(view_depth_to(air, stretch.y), 0.0);
   float p = phase(phase_kind, phase_g, clamp(dot(ray.direction, sun_direction), -1.0, 1.0));
   vec3 light = sun_scattered * (p * sunlit);
+#ifdef PARTED
+  if (!is_first_part()) return nearest_half(vec4(min(light, vec3(kBrightest)), 0.0));
+#endif
   light += sky_seen(ray) * scattered_fraction(depth);
-  return nearest_half(vec4(min(light, vec3(60000.0)), exp(-depth)));  // half floats end at 65504
+  return nearest_half(vec4(min(light, vec3(kBrightest)), exp(-depth)));
 }

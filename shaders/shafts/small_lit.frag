@@ -21,5 +21,5 @@ void main() {
   vec2 stretch = medium_stretch(ray, z);
   Air air = air_along(ray, stretch.x);
   float all = sunlight_to(air, stretch.y);
-  lit_and_distance = vec2(all > 0.0 ? lit_sunlight(0, ray, air, stretch, all).x / all : 1.0, z);
+  lit_and_distance = vec2(all > 0.0 ? lit_sunlight(0, ray, air, stretch, stretch, all).x / all : 1.0, z);
 }

@@ -174,13 +174,14 @@ struct Bench {
       draw_objects();
       glFinish();
       const auto map_start = std::chrono::steady_clock::now();
-      const SunShadow* casters = gains ? &air.update(rig().shadow, scene, view, objects->depth, rig().models) : nullptr;
+      const std::span<const AirPart> parts =
+          gains ? air.update(rig().shadow, scene, view, objects->depth, rig().models) : std::span<const AirPart>{};
       glFinish();
       if (i > 0) map.push_back(milliseconds_since(map_start));
       const auto start = std::chrono::steady_clock::now();
       const std::clock_t cpu_start = std::clock();
       ShaftInputs asked = inputs();
-      asked.air_shadow = casters;
+      asked.air = parts;
       asked.with_distance = false;  // as the program has it
       const ShaftPicture& picture = technique->draw(asked);
       glFinish();

@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "render/shadow/air_shadow.h"
+
 namespace render {
 namespace {
 
@@ -129,6 +131,57 @@ TEST(SeenAir, PartStaysWhileTheViewMovesALittle) {
     last = part;
   }
   EXPECT_LE(changes, 12);  // a metre is 1.6 to 2 steps, each of four sides at its own time; and the first
+}
+
+// Looks along a map of that many metres, 1.6 m above its middle.
+std::vector<AxisRange> parts_of(double size_m, const Medium& medium, double eye_y_m = 0.0) {
+  const glm::dvec3 sun = glm::normalize(glm::dvec3(1.0, 0.2, 0.7));
+  ShadowFit whole = whole_map(sun, glm::dvec3(0.0, 0.5 * size_m, 0.0));
+  const glm::dvec3 size(size_m, size_m, size_m);
+  const glm::dmat4 light_from_world(glm::transpose(world_from_light(sun)));
+  whole.map_from_world =
+      glm::scale(glm::dmat4(1.0), 1.0 / size) *
+      glm::translate(glm::dmat4(1.0),
+                     0.5 * size - glm::dvec3(light_from_world * glm::dvec4(0.0, 0.5 * size_m, 0.0, 1.0))) *
+      light_from_world;
+  whole.metres_per_unit = size;
+  const View view = view_at({0.0, eye_y_m, 1.6}, 0.0, 0.05);
+  const SeenDepth seen{.columns = 20, .rows = 13, .axis_distance_m = std::vector<double>(260, size_m)};
+  return part_air(whole, kMapPx, view, medium, seen);
+}
+
+TEST(AirParts, FollowOneAnotherFromTheEyeOn) {
+  for (const double size_m : {5.0, 50.0, 500.0, 5000.0}) {
+    for (const double extinction : {0.0, 1e-4, 0.01, 1.0, 100.0}) {
+      const std::vector<AxisRange> parts = parts_of(size_m, {.extinction_per_m = extinction});
+      ASSERT_GE(parts.size(), 1U);
+      EXPECT_LE(parts.size(), 4U);
+      EXPECT_EQ(parts.front().from_m, 0.0);
+      EXPECT_TRUE(std::isinf(parts.back().to_m));
+      for (std::size_t i = 1; i < parts.size(); ++i) {
+        EXPECT_GT(parts[i].from_m, parts[i - 1].from_m);
+        EXPECT_EQ(parts[i].from_m, parts[i - 1].to_m);
+      }
+    }
+  }
+}
+
+TEST(AirParts, AreMoreThanOneOnlyWhereTexelsNearTheEyeAreCoarse) {
+  EXPECT_EQ(parts_of(10.0, {.extinction_per_m = 0.02}).size(), 1U);    // a centimetre
+  EXPECT_GT(parts_of(1000.0, {.extinction_per_m = 0.02}).size(), 1U);  // a metre
+  // In clear air the little that is near scatters next to nothing of what is seen; in thick air it is all there is.
+  EXPECT_LT(parts_of(100.0, {.extinction_per_m = 1e-4}).size(), parts_of(100.0, {.extinction_per_m = 0.5}).size());
+}
+
+TEST(AirParts, StayWhileTheViewMovesALittle) {
+  int changes = 0;
+  std::vector<AxisRange> last;
+  for (int i = 0; i < 100; ++i) {
+    std::vector<AxisRange> parts = parts_of(500.0, {.extinction_per_m = 0.02}, 0.01 * i);
+    changes += parts != last ? 1 : 0;
+    last = std::move(parts);
+  }
+  EXPECT_LE(changes, 3);  // the first, and a step now and then
 }
 
 }  // namespace

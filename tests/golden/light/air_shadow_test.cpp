@@ -26,30 +26,108 @@ SceneState posts_near_and_far() {
 
 struct AirPicture {
   Pixels shafts;
+  std::size_t parts = 0;
   bool own_map = false;
   unsigned revision = 0;
 };
 
+enum class Maps { Surfaces, OneForTheAir, OfTheAirsParts };
+
 class AirShadowPicture : public ::testing::Test {
  protected:
-  LightRig& light = rig();  // whose context must be there first
-  AirShadow air;
+  AirPicture draw(const SceneState& scene, const std::string& shafts, Maps maps = Maps::OfTheAirsParts);
+  // The surfaces' maps for each of the parts between those distances.
+  Pixels draw_parted(const SceneState& scene, const std::string& shafts, const std::vector<double>& splits_m);
+
+ private:
+  // As AirShadow would have it that never parts the air.
+  AirPart unparted(const SceneState& scene, const View& view, GLuint depth);
+
+  LightRig& light_ = rig();  // whose context must be there first
+  AirShadow air_;
+  SeenDepthPass seen_;
+  SunShadow one_map_;
 };
 
-AirPicture draw(AirShadow& air, const SceneState& scene, const char* shafts, bool fitted) {
+AirPart AirShadowPicture::unparted(const SceneState& scene, const View& view, GLuint depth) {
+  const SeenDepth seen = seen_.read(view, depth);
+  std::array<ShadowFit, 2> fits;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    fits[i] = fit_to_seen_air(rig().shadow.map(kCasterKinds[i]).fit, kMapPx, view, *scene.medium, seen);
+  }
+  one_map_.update_parts(rig().shadow, fits, scene, rig().models);
+  return {&one_map_, {}};
+}
+
+AirPicture AirShadowPicture::draw(const SceneState& scene, const std::string& shafts, Maps maps) {
   const View view = pinhole_view(scene.camera);
   rig().shadow.update(scene, view, kMapPx, rig().models);
   const ObjectsPicture& picture = rig().objects.draw(scene, view, rig().shadow, rig().models);
-  const SunShadow& casters = air.update(rig().shadow, scene, view, picture.depth, rig().models);
-  const ShaftPicture& drawn = rig()
-                                  .technique(parse_shaft_settings(shafts))
-                                  .draw({.scene = scene,
-                                         .view = view,
-                                         .depth = picture.depth,
-                                         .shadow = rig().shadow,
-                                         .air_shadow = fitted ? &casters : nullptr});
-  return {read_pixels(drawn.texture, drawn.width, drawn.height, GL_FLOAT), &casters != &rig().shadow,
-          casters.map(Casters::Virtual).revision};
+  AirPart part;
+  if (maps == Maps::OneForTheAir) part = unparted(scene, view, picture.depth);
+  std::span<const AirPart> parts(&part, 1);
+  if (maps == Maps::OfTheAirsParts) parts = air_.update(rig().shadow, scene, view, picture.depth, rig().models);
+  if (maps == Maps::Surfaces) part.maps = &rig().shadow;
+  const ShaftPicture& drawn =
+      rig()
+          .technique(parse_shaft_settings(shafts))
+          .draw({.scene = scene, .view = view, .depth = picture.depth, .shadow = rig().shadow, .air = parts});
+  return {read_pixels(drawn.texture, drawn.width, drawn.height, GL_FLOAT), parts.size(),
+          parts.front().maps != &rig().shadow, parts.front().maps->map(Casters::Virtual).revision};
+}
+
+Pixels AirShadowPicture::draw_parted(const SceneState& scene, const std::string& shafts,
+                                     const std::vector<double>& splits_m) {
+  const View view = pinhole_view(scene.camera);
+  rig().shadow.update(scene, view, kMapPx, rig().models);
+  const ObjectsPicture& picture = rig().objects.draw(scene, view, rig().shadow, rig().models);
+  std::vector<AirPart> parts{{&rig().shadow, {}}};
+  for (const double split_m : splits_m) {
+    parts.back().range.to_m = split_m;
+    parts.push_back({&rig().shadow, {.from_m = split_m}});
+  }
+  const ShaftPicture& drawn =
+      rig()
+          .technique(parse_shaft_settings(shafts))
+          .draw({.scene = scene, .view = view, .depth = picture.depth, .shadow = rig().shadow, .air = parts});
+  return read_pixels(drawn.texture, drawn.width, drawn.height, GL_FLOAT);
+}
+
+constexpr std::array<const char*, 4> kPartedTechniques{
+    "march:steps=1024", "epipolar:steps=1024,line_px=1,sample_px=4,tolerance=0.01",
+    "minmax:line_px=1.1,sample_px=4,tolerance=0.01", "minmax:line_px=0.5,sample_px=4,tolerance=0.01"};
+
+TEST_F(AirShadowPicture, PartsOfTheAirAddUpToAllOfIt) {
+  SceneState scene = posts_near_and_far();
+  scene.camera = look_at(64, 48, {0.0, 0.0, 1.5}, {0.0, 10.0, 1.4}, 40.0);
+  const Medium plain = *scene.medium;
+  const Box box{{-7.0, 2.0, 0.0}, {7.0, 8.5, 4.0}};
+  for (int i = 0; i < 4; ++i) {
+    scene.medium = plain;
+    if ((i & 1) != 0) scene.medium->extent = box;
+    if ((i & 2) != 0) scene.medium->falloff = HeightFalloff{.base_m = 0.0, .scale_height_m = 2.0};
+    for (const char* shafts : kPartedTechniques) {
+      const Pixels whole = draw_parted(scene, shafts, {});
+      const Pixels parted = draw_parted(scene, shafts, {3.0, 6.1, 7.3});
+      // Sums of four half floats; marches of other steps.
+      EXPECT_LT(relative_rmse(parted, whole.rgba), 4e-3) << shafts << ", medium " << i;
+      for (std::size_t p = 0; p < whole.rgba.size(); ++p) ASSERT_EQ(parted.rgba[p].a, whole.rgba[p].a) << shafts;
+    }
+  }
+}
+
+TEST_F(AirShadowPicture, SealedBoxStaysAtZeroInAllParts) {
+  SceneState scene = sunny(30.0, 35.0, 0.0);
+  scene.camera = look_at(202, 151, {0.0, 0.0, 1.5}, {0.0, 10.0, 1.5}, 70.0);
+  Model room = make_box({6.0F, 6.0F, 3.0F});
+  for (Material& material : room.materials) material.double_sided = true;  // as walls seen from within
+  scene.instances = {place(std::move(room), {0.0, 0.0, 1.5}, false)};
+  scene.medium = Medium{.extinction_per_m = 0.5, .albedo = 0.9, .g = 0.5};
+  for (const char* shafts : kPartedTechniques) {
+    float most = 0.0F;
+    for (const glm::vec4& p : draw_parted(scene, shafts, {0.7, 2.1}).rgba) most = std::max({most, p.r, p.g, p.b});
+    EXPECT_EQ(most, 0.0F) << shafts;
+  }
 }
 
 TEST_F(AirShadowPicture, IsNearerToTheTruthThanTheSurfacesMap) {
@@ -61,8 +139,8 @@ TEST_F(AirShadowPicture, IsNearerToTheTruthThanTheSurfacesMap) {
   const ReferencePicture truth =
       ShaftReference(scene, {.sky = ReferenceSky::Open}).picture(pinhole_view(scene.camera), axis_m);
   for (const char* shafts : {"march:steps=1024", "minmax:line_px=1.1,sample_px=8,tolerance=0.01"}) {
-    const AirPicture coarse = draw(air, scene, shafts, false);
-    const AirPicture fine = draw(air, scene, shafts, true);
+    const AirPicture coarse = draw(scene, shafts, Maps::Surfaces);
+    const AirPicture fine = draw(scene, shafts);
     ASSERT_TRUE(fine.own_map);
     EXPECT_LT(relative_rmse(fine.shafts, truth.rgba, scene.exposure),
               0.7 * relative_rmse(coarse.shafts, truth.rgba, scene.exposure))
@@ -70,31 +148,64 @@ TEST_F(AirShadowPicture, IsNearerToTheTruthThanTheSurfacesMap) {
   }
 }
 
+// A colonnade of 400 m, seen from between its columns, in thick air.
+SceneState colonnade() {
+  SceneState scene = sunny(65.0, 30.0);
+  scene.camera = look_at(128, 96, {0.0, -2.0, 1.6}, {0.3, 10.0, 2.0}, 50.0);
+  scene.instances = {place(make_ground(), glm::dvec3(0.0), true)};
+  for (int i = 0; i < 100; ++i) {
+    for (const double x : {-3.0, 3.0}) {
+      scene.instances.push_back(place(make_box({0.25F, 0.25F, 4.0F}), {x, 1.0 + 4.0 * i, 2.0}, false));
+    }
+  }
+  scene.medium = Medium{.extinction_per_m = 0.03, .albedo = 0.9, .g = 0.5};
+  return scene;
+}
+
+TEST_F(AirShadowPicture, IsPartedWhereTexelsAreWideNearTheEye) {
+  const SceneState scene = colonnade();
+  std::vector<float> axis_m;
+  for (const glm::vec4& p : rig().render(scene, parse_shaft_settings("closed-form:divisor=1")).distance.rgba) {
+    axis_m.push_back(p.r);
+  }
+  const ReferencePicture truth =
+      ShaftReference(scene, {.sky = ReferenceSky::Open}).picture(pinhole_view(scene.camera), axis_m);
+  for (const char* shafts : kPartedTechniques) {
+    const AirPicture coarse = draw(scene, shafts, Maps::OneForTheAir);
+    const AirPicture fine = draw(scene, shafts);
+    EXPECT_GT(fine.parts, 1U);
+    // Two parts; a third of the error at least, for a map as large again.
+    EXPECT_LT(relative_rmse(fine.shafts, truth.rgba, scene.exposure),
+              0.33 * relative_rmse(coarse.shafts, truth.rgba, scene.exposure))
+        << shafts;
+  }
+}
+
 TEST_F(AirShadowPicture, StillSceneIsBitEqualAndItsMapIsNotRenderedAgain) {
   const SceneState scene = posts_near_and_far();
-  const AirPicture first = draw(air, scene, "march:steps=64", true);
-  const AirPicture again = draw(air, scene, "march:steps=64", true);
+  const AirPicture first = draw(scene, "march:steps=64");
+  const AirPicture again = draw(scene, "march:steps=64");
   EXPECT_TRUE(first.shafts == again.shafts);
   EXPECT_EQ(first.revision, again.revision);
   SceneState moved = scene;
   moved.instances[1].world_from_model[3].x += 0.2;
-  EXPECT_GT(draw(air, moved, "march:steps=64", true).revision, first.revision);
+  EXPECT_GT(draw(moved, "march:steps=64").revision, first.revision);
 }
 
 // Both maps may have been rendered equally often.
 TEST_F(AirShadowPicture, TechniquesTellItFromTheSurfacesMap) {
   const SceneState scene = posts_near_and_far();
   // The same settings in other words are another technique of the rig.
-  const AirPicture coarse = draw(air, scene, "march:steps=66,divisor=1", false);
-  draw(air, scene, "march:steps=66", true);
-  const AirPicture coarse_after_fine = draw(air, scene, "march:steps=66", false);
+  const AirPicture coarse = draw(scene, "march:steps=66,divisor=1", Maps::Surfaces);
+  draw(scene, "march:steps=66");
+  const AirPicture coarse_after_fine = draw(scene, "march:steps=66", Maps::Surfaces);
   EXPECT_TRUE(coarse.shafts == coarse_after_fine.shafts);
 }
 
 TEST_F(AirShadowPicture, TakesTheSurfacesMapWhereItsOwnWouldBeHardlyFiner) {
   SceneState scene = posts_near_and_far();
   scene.camera = look_at(128, 96, {0.0, -60.0, 1.5}, {0.0, 10.0, 8.0}, 60.0);  // sees all of it
-  EXPECT_FALSE(draw(air, scene, "march:steps=64", true).own_map);
+  EXPECT_FALSE(draw(scene, "march:steps=64").own_map);
 }
 
 }  // namespace
