@@ -200,7 +200,7 @@ vec2 finish(ChromaSum sum, ivec2 sample_at, vec2 dither_at) {
   {                                                                                                     \
     ivec2 pixel = clamp(origin + ivec2(col, row), ivec2(0), picture_last);                              \
     vec2 source_chroma = chroma_at(chroma, col);                                                        \
-    Pixel p = composite_pixel(origin, ivec2(col, row), pixel, vec3(luma_code(pixel), source_chroma));                      \
+    Pixel p = composite_pixel(origin, ivec2(col, row), pixel, vec3(luma_code(pixel), source_chroma));   \
     if (col >= 0 && row == 0) upper[col >= 0 ? col : 0] = rounded_code(p.code.x, vec2(pixel));          \
     if (col >= 0 && row == 1) lower[col >= 0 ? col : 0] = rounded_code(p.code.x, vec2(pixel));          \
     add_to(left, weight_y * downsampling_weight(col, SITING_X), p, source_chroma);                      \

@@ -1,8 +1,8 @@
 // The highlight shoulder: what display-linear light becomes before it is encoded. Identity below the knee, then a
-// hyperbola that reaches picture white (1) at kShoulderWhite with a first derivative that is continuous everywhere, then
-// its tangent. Monotonic and invertible for all values: the real picture enters linear light through the inverse, so
-// that it leaves unchanged where nothing was added, and added light rolls off instead of clipping.
-// Pure functions, also compiled as C++ by render/composite/picture_math.cpp.
+// hyperbola that reaches picture white (1) at kShoulderWhite with a first derivative that is continuous everywhere,
+// then its tangent. Monotonic and invertible for all values: the real picture enters linear light through the inverse,
+// so that it leaves unchanged where nothing was added, and added light rolls off instead of clipping. Pure functions,
+// also compiled as C++ by render/composite/picture_math.cpp.
 
 const float kShoulderKnee = 0.75f;
 const float kShoulderWhite = 1.5f;  // a half stop above white: a shadow on white paper stays a shadow

@@ -1,7 +1,7 @@
 #version 310 es
-// A virtual surface again, now multisampled, for smooth edges. Its light is there already, shaded once a pixel: it takes
-// what it has left in this pixel or, where another surface is before it there, in one beside. What has left nothing in
-// any of them, smaller than a pixel, gives way.
+// A virtual surface again, now multisampled, for smooth edges. Its light is there already, shaded once a pixel: it
+// takes what it has left in this pixel or, where another surface is before it there, in one beside. What has left
+// nothing in any of them, smaller than a pixel, gives way.
 // variant:
 // variant: ALPHA_MASK
 precision highp float;
@@ -24,13 +24,14 @@ in vec2 v_uv;
 in vec3 v_normal;
 layout(location = 0) out vec4 added;  // a: ALPHA_MASK: coverage; else what stays uncovered: 0
 
-// A step of facing() counts as much as this relative difference in distance: the sides of a lath are told apart by their
-// facing, a fruit's rim from the leaves behind by its distance. A few steps are rounding and the bend of a surface.
+// A step of facing() counts as much as this relative difference in distance: the sides of a lath are told apart by
+// their facing, a fruit's rim from the leaves behind by its distance. A few steps are rounding and the bend of a
+// surface.
 const float kTurn = 1e-4;
 const float kSameFacing = 8.0;
 
-// How much less a pixel's surface suits than one that would be there at near / z = expected, `scale` being 1 / that; none
-// at all: 1.
+// How much less a pixel's surface suits than one that would be there at near / z = expected, `scale` being 1 / that;
+// none at all: 1.
 float mismatch(float mark, float expected, float scale, float own_facing) {
   uint bits = floatBitsToUint(mark);
   float turned = abs(float(bits & 255u) - own_facing);

@@ -40,7 +40,8 @@ BlockerSearch blocker_search(highp sampler2D depth_bounds, float reach, vec3 at_
   search.radius = disc_slope * search.receiver * metres_per_unit.z / metres_per_unit.xy + texel;
   // On the sun's side of every caster, or beside them all.
   bool beside = any(lessThan(at_in_map.xy, -search.radius)) || any(greaterThan(at_in_map.xy, 1.0 + search.radius));
-  // Behind or before all that the search can meet: most of a picture is fully lit or fully dark. An empty texel holds 1.
+  // Behind or before all that the search can meet: most of a picture is fully lit or fully dark. An empty texel holds
+  // 1.
   vec2 bounds = textureLod(depth_bounds, at_in_map.xy, 0.0).rg;
   float spread = dot(abs(slope), search.radius);
   bool bounded = max(search.radius.x, search.radius.y) + texel <= reach;

@@ -1,6 +1,6 @@
 #version 310 es
-// Nearest and farthest caster of each 16 cells of a slice: the lowest level of its min-max tree (Chen 2011), and the same
-// once more for nodes.frag, which draws into the tree.
+// Nearest and farthest caster of each 16 cells of a slice: the lowest level of its min-max tree (Chen 2011), and the
+// same once more for nodes.frag, which draws into the tree.
 precision highp float;
 precision highp int;
 

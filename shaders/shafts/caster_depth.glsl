@@ -12,23 +12,25 @@ vec2 shadow_stretch(vec3 direction) {
                    slab(origin.z, d.z, 0.0, 1e20));
 }
 
-// What of a part of the medium's stretch is to be marched: where casters may shade it and it is seen. It ends before the
-// surface at which the ray does, since texels of the map straddle surfaces; of a part that is no farther from there, what
-// comes right before tells. `shadow`: that of its ray.
+// What of a part of the medium's stretch is to be marched: where casters may shade it and it is seen. It ends before
+// the surface at which the ray does, since texels of the map straddle surfaces; of a part that is no farther from
+// there, what comes right before tells. `shadow`: that of its ray.
 vec2 marched_stretch(vec2 shadow, Air air, vec2 stretch, vec2 part) {
   vec2 shaded = intersect(shadow, vec2(part.x, min(part.y, way_of_depth(air, kDeepest))));
   float last = stretch.y * (1.0 - end_margin) - end_margin_m;
 #ifdef PARTED
   last = max(last, mix(max(shadow.x, stretch.x), stretch.y, 0.5));
-  if (shaded.y > last && shadow.y >= stretch.y && part.y > part.x) shaded = vec2(min(shaded.x, last * (1.0 - 1e-4)), last);
+  bool to_surface = shaded.y > last && shadow.y >= stretch.y && part.y > part.x;
+  if (to_surface) shaded = vec2(min(shaded.x, last * (1.0 - 1e-4)), last);
 #else
   if (shaded.y == stretch.y) shaded.y = max(last, mix(shaded.x, shaded.y, 0.5));
 #endif
   return shaded;
 }
 
-// Of `all` sunlight of the stretch, what there is when that part of the light from where marching begins to its reach is
-// lit: to where the surface is or the casters' shade ends. What lies behind the marched stretch is as lit as its end.
+// Of `all` sunlight of the stretch, what there is when that part of the light from where marching begins to its reach
+// is lit: to where the surface is or the casters' shade ends. What lies behind the marched stretch is as lit as its
+// end.
 float sunlight_when(float lit, Air air, vec2 stretch, vec2 marched, float reach, float all) {
   if (marched.y <= marched.x) return all;
   float part = marched.x == stretch.x && reach == stretch.y ? all : sunlight_of(air, vec2(marched.x, reach));

@@ -1,6 +1,6 @@
-// How much of a part's sunlight gets past the casters (x; `all` is what there is), and whether its end is lit (y), by the
-// technique that LINE_MARCH chooses: steps along the ray, or else the min-max tree of the nearest epipolar slice. Needs
-// shafts/ray.glsl.
+// How much of a part's sunlight gets past the casters (x; `all` is what there is), and whether its end is lit (y), by
+// the technique that LINE_MARCH chooses: steps along the ray, or else the min-max tree of the nearest epipolar slice.
+// Needs shafts/ray.glsl.
 #include "shafts/caster_depth.glsl"
 #ifdef LINE_MARCH
 #include "shafts/steps.glsl"

@@ -1,8 +1,9 @@
 #version 310 es
 // What each two neighbouring samples on a line say of the pixels between them. From lit surface to lit surface the dark
-// part of the sunlight stays the same, however far they are; from shaded to shaded the lit one: that is kept. x, y: it at
-// the two places; z, w: 1 / distance there, negative where the dark part is kept, and nearer than anything where it
-// changes too much, or one of the two is beyond the line's beginning: a pixel's own line may be longer than its neighbours.
+// part of the sunlight stays the same, however far they are; from shaded to shaded the lit one: that is kept. x, y: it
+// at the two places; z, w: 1 / distance there, negative where the dark part is kept, and nearer than anything where it
+// changes too much, or one of the two is beyond the line's beginning: a pixel's own line may be longer than its
+// neighbours.
 precision highp float;
 
 uniform highp sampler2D samples;  // line_samples.frag

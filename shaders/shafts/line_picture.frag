@@ -1,8 +1,8 @@
 #version 310 es
 // Each pixel from the samples around it on the two epipolar lines to its sides, as far as they see the same surface and
 // agree. ALONE: every other pixel (depth edges, and steps of the light along a line), computed by itself; the depth
-// test keeps it to those. BOTH_SLICES: from the slices on both of its sides, not the nearest. Two passes, since software
-// rasterisers run all code of a pass for all of its pixels.
+// test keeps it to those. BOTH_SLICES: from the slices on both of its sides, not the nearest. Two passes, since
+// software rasterisers run all code of a pass for all of its pixels.
 // variant: NO_DEPTH
 // variant: SKY_AT_CORNERS BOUNDED
 // variant: DIVIDED BOUNDED

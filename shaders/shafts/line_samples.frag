@@ -17,7 +17,8 @@ precision highp float;
 #include "shafts/lines.glsl"
 #include "shafts/line_lit.glsl"
 
-layout(location = 0) out vec4 sampled;  // lit and dark sunlight; 1 / distance along the axis; 1: its end is lit, -1: no sample
+// Lit and dark sunlight; 1 / distance along the axis; 1: its end is lit, -1: no sample.
+layout(location = 0) out vec4 sampled;
 
 void main() {
   float row = floor(gl_FragCoord.y);

@@ -1,6 +1,6 @@
 // The view ray of a shaft pixel, the medium's stretch of it, and the sun's light in it. Shared by all techniques.
-// BOUNDED: the medium is a box. FALLOFF: it thins out with height. PARTED: only the air in a range of distances is looked
-// at, and what several of them find is added up.
+// BOUNDED: the medium is a box. FALLOFF: it thins out with height. PARTED: only the air in a range of distances is
+// looked at, and what several of them find is added up.
 #ifndef OUT
 #define OUT(type) out type
 #endif
@@ -110,8 +110,8 @@ float way_of_depth(Air air, float depth) {
 #endif
 }
 
-// What sunlight_between() needs of a point t metres from the eye. y: the optical depth of the view's way there and of the
-// light's own. x: BOUNDED, the view's alone; else the light that all of the way there sends to the eye.
+// What sunlight_between() needs of a point t metres from the eye. y: the optical depth of the view's way there and of
+// the light's own. x: BOUNDED, the view's alone; else the light that all of the way there sends to the eye.
 vec2 mark_at(Air air, float t) {
   float view = view_depth_to(air, t);
 #ifdef BOUNDED

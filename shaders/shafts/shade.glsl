@@ -20,8 +20,8 @@ vec3 sky_seen(Ray ray) {
 }
 #endif
 
-// To the nearest of what half floats can hold: drivers may cut off the rest as they store them (Mesa's llvmpipe does), which
-// darkens all of a picture by a 3,000th.
+// To the nearest of what half floats can hold: drivers may cut off the rest as they store them (Mesa's llvmpipe does),
+// which darkens all of a picture by a 3,000th.
 vec4 nearest_half(vec4 value) {
   highp uvec4 bits = floatBitsToUint(value);
   return uintBitsToFloat((bits + 0x1000u) & 0xffffe000u);

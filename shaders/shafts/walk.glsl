@@ -1,5 +1,6 @@
-// A ray's way through the min-max tree of its epipolar slice: stretches that lie before all casters of a node, or behind
-// them all, are taken whole, and cells are cut exactly where the ray meets the depth of their caster. Needs ray.glsl.
+// A ray's way through the min-max tree of its epipolar slice: stretches that lie before all casters of a node, or
+// behind them all, are taken whole, and cells are cut exactly where the ray meets the depth of their caster. Needs
+// ray.glsl.
 precision highp int;
 
 #include "shafts/slice_rows.glsl"
@@ -23,8 +24,8 @@ vec4 shaded_m(vec4 caster, vec4 begin, vec4 finish, float eye_depth, float slope
   return max(to - from, vec4(0.0));
 }
 
-// x: how much of the sunlight, from where the stretch begins to its reach, the casters take, as the slice of that row sees
-// them; negative where that is all of it. y: 1 where it is lit at its end, else 0.
+// x: how much of the sunlight, from where the stretch begins to its reach, the casters take, as the slice of that row
+// sees them; negative where that is all of it. y: 1 where it is lit at its end, else 0.
 vec2 walk(int row, Ray ray, Air air, vec2 stretch, float reach) {
   float row_at = float(row) + 0.5;
   vec4 slice = textureLod(slices, vec2(0.5, row_at * leaves_texel.y), 0.0);
