@@ -43,7 +43,7 @@ std::vector<AxisRange> part_air(const ShadowFit& whole, int size_px, const View&
   while (ranges.size() < kMostParts && !nearest.empty) {
     const double texel = texel_m(nearest, size_px);
     const double split_m = in_steps(texel * std::min(view.focal_px.x, view.focal_px.y) / kWidestTexelPx);
-    if (split_m >= ranges.front().to_m || scattered_fraction(extinction, split_m) < kLeastShare * most) break;
+    if (split_m >= ranges.front().to_m || scattered_fraction(extinction, split_m) <= kLeastShare * most) break;
     nearest = fit_to_seen_air(whole, size_px, view, medium, seen, {0.0, split_m});
     if (!nearest.empty && texel_m(nearest, size_px) > kFiner * texel) break;
     ranges.front().from_m = split_m;
