@@ -44,6 +44,7 @@ done <"$work/modules"
 
 cp "$here/guest_main.sh" "$work/share/main"
 echo "$kernel/lib/modules/$version" >"$work/share/modules"
+pwd >"$work/share/folder"
 {
   printf 'cd %q || exit 125\nexec env -i' "$PWD"
   printf ' %q' "PATH=$PATH" "HOME=/root" "LANG=C.UTF-8" SKYSHAFT_LAB=1 XDG_RUNTIME_DIR=/run "$@"
