@@ -14,8 +14,8 @@ constexpr double kHardlyFiner = 0.75;
 
 // Texels that are seen wider than this are worth a part of their own, if that much of the light that the map's air
 // scatters to the eye comes from so near, and the part's texels are that much finer.
-constexpr double kWidestTexelPx = 4.0;
-constexpr double kLeastShare = 0.06;
+constexpr double kWidestTexelPx = 8.0;
+constexpr double kLeastShare = 0.1;
 constexpr double kFiner = 0.7;
 constexpr std::size_t kMostParts = 4;
 
