@@ -34,10 +34,10 @@ double in_steps(double distance_m) {
 
 }  // namespace
 
-std::vector<AxisRange> part_air(const ShadowFit& whole, int size_px, const View& view, const Medium& medium,
-                                const SeenDepth& seen) {
+std::vector<AxisRange> part_air(const ShadowFit& whole, const ShadowFit& seen_of_whole, int size_px, const View& view,
+                                const Medium& medium, const SeenDepth& seen) {
   std::vector<AxisRange> ranges{{}};
-  ShadowFit nearest = fit_to_seen_air(whole, size_px, view, medium, seen);
+  ShadowFit nearest = seen_of_whole;
   const double extinction = extinction_at(medium, view.eye_in_world);
   const double most = scattered_fraction(extinction, glm::length(nearest.metres_per_unit));
   while (ranges.size() < kMostParts && !nearest.empty) {
@@ -52,19 +52,13 @@ std::vector<AxisRange> part_air(const ShadowFit& whole, int size_px, const View&
   return ranges;
 }
 
-const SunShadow& AirShadow::maps_of(std::size_t part, const AxisRange& range, const SunShadow& shadow,
-                                    const SceneState& scene, const View& view, const SeenDepth& seen,
-                                    GpuModels& models) {
-  std::array<ShadowFit, 2> fits;
+const SunShadow& AirShadow::maps_of(std::size_t part, const Fits& fits, const SunShadow& shadow,
+                                    const SceneState& scene, GpuModels& models) {
   bool finer = false;
   for (std::size_t i = 0; i < fits.size(); ++i) {
-    const ShadowMap& map = shadow.map(kCasterKinds[i]);
-    fits[i] = fit_to_seen_air(map.fit, map.size_px, view, *scene.medium, seen, range);
-    finer = finer || area(fits[i]) < kHardlyFiner * area(map.fit);
+    finer = finer || area(fits[i]) < kHardlyFiner * area(shadow.map(kCasterKinds[i]).fit);
   }
-  // Nothing to draw, and as if all of it were lit; but among other parts the technique still has to look.
-  const bool none = std::ranges::all_of(fits, [](const ShadowFit& fit) { return fit.empty; });
-  if (!finer || (none && !range.all())) return shadow;
+  if (!finer) return shadow;
   while (maps_.size() <= part) maps_.push_back(std::make_unique<SunShadow>());
   maps_[part]->update_parts(shadow, fits, scene, models);
   return *maps_[part];
@@ -72,17 +66,30 @@ const SunShadow& AirShadow::maps_of(std::size_t part, const AxisRange& range, co
 
 std::span<const AirPart> AirShadow::update(const SunShadow& shadow, const SceneState& scene, const View& view,
                                            GLuint depth, GpuModels& models) {
+  const Medium& medium = *scene.medium;
   const SeenDepth seen = seen_.read(view, depth);
+  const auto fits_to = [&](const AxisRange& range) {
+    Fits fits;
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+      const ShadowMap& map = shadow.map(kCasterKinds[i]);
+      fits[i] = fit_to_seen_air(map.fit, map.size_px, view, medium, seen, range);
+    }
+    return fits;
+  };
+  const Fits of_all = fits_to({});
   std::vector<AxisRange> ranges{{}};
-  for (const Casters kind : kCasterKinds) {
+  for (std::size_t i = 0; i < of_all.size(); ++i) {
     if (!gl::extensions().float_blend) break;  // techniques add parts up in 32-bit floats
-    const ShadowMap& map = shadow.map(kind);
-    std::vector<AxisRange> found = part_air(map.fit, map.size_px, view, *scene.medium, seen);
+    const ShadowMap& map = shadow.map(kCasterKinds[i]);
+    std::vector<AxisRange> found = part_air(map.fit, of_all[i], map.size_px, view, medium, seen);
     if (found.size() > ranges.size()) ranges = std::move(found);
   }
   parts_.clear();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    const SunShadow& maps = maps_of(i, ranges[i], shadow, scene, view, seen, models);
+    const Fits fits = ranges[i].all() ? of_all : fits_to(ranges[i]);
+    // Nothing to draw, and as if all of it were lit; but among other parts the technique still has to look.
+    const bool none = std::ranges::all_of(fits, [](const ShadowFit& fit) { return fit.empty; });
+    const SunShadow& maps = none && ranges.size() > 1 ? shadow : maps_of(i, fits, shadow, scene, models);
     if (!parts_.empty() && parts_.back().maps == &maps) {
       parts_.back().range.to_m = ranges[i].to_m;
     } else {

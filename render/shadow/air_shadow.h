@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -18,9 +19,10 @@ struct AirPart {
 // The ranges that the air in a map's fit is parted into, nearest first: where the map's texels would be seen much wider
 // than a pixel in a good share of the air, what lies so near is parted off for a map of its own; and so on
 // (z-partitions as Zhang et al. 2006, "Parallel-split shadow maps", placed by what is seen instead of by a scheme). One
-// range where that is not so. They move in steps, so that a moving view seldom needs new maps.
-std::vector<AxisRange> part_air(const ShadowFit& whole, int size_px, const View& view, const Medium& medium,
-                                const SeenDepth& seen);
+// range where that is not so. They move in steps, so that a moving view seldom needs new maps. `seen_of_whole`:
+// fit_to_seen_air() the whole, at any distance.
+std::vector<AxisRange> part_air(const ShadowFit& whole, const ShadowFit& seen_of_whole, int size_px, const View& view,
+                                const Medium& medium, const SeenDepth& seen);
 
 // The sun's shadow maps once more, for the air: only over that part of it which is seen, so that their texels are finer
 // than those of the maps for surfaces, which keep still while the view moves; and in z-partitions where the view
@@ -35,8 +37,9 @@ class AirShadow {
                                   GpuModels& models);
 
  private:
-  const SunShadow& maps_of(std::size_t part, const AxisRange& range, const SunShadow& shadow, const SceneState& scene,
-                           const View& view, const SeenDepth& seen, GpuModels& models);
+  using Fits = std::array<ShadowFit, kCasterKinds.size()>;
+  const SunShadow& maps_of(std::size_t part, const Fits& fits, const SunShadow& shadow, const SceneState& scene,
+                           GpuModels& models);
 
   SeenDepthPass seen_;
   std::vector<std::unique_ptr<SunShadow>> maps_;

@@ -36,14 +36,14 @@ Epipolar::Epipolar(const LineSettings& settings, const MarchSteps& steps)
 }
 
 // For pixels up to `beside_px` beside their slices: the walk ends twice that before surfaces, for walls seen askew.
-void Epipolar::bind(const gl::Program& program, const Part& part, const ShaftInputs& inputs, const LineLayout& layout,
-                    double beside_px) const {
+void Epipolar::bind(const gl::Program& program, const PartCasters& casters, const ShaftInputs& inputs,
+                    const LineLayout& layout, double beside_px) const {
   layout.set(program);
-  part.casters.bind(program, inputs, kMapUnit);
+  casters.map.bind(program, inputs, kMapUnit);
   if (steps_) {
     steps_->set(program);
   } else {
-    part.trees.bind(program, kTreesUnit);
+    casters.trees.bind(program, kTreesUnit);
     const double px_rad = inputs.view.width / (inputs.view.focal_px.x * layout.picture_px.x);
     program.set("end_margin", static_cast<float>(std::min(2.0 * beside_px * px_rad, 0.5)));
   }
@@ -65,14 +65,13 @@ void Epipolar::make_storage(const LineLayout& layout) {
   to_pairs_ = gl::Framebuffer({&pairs_}, nullptr, "pairs of samples");
 }
 
-void Epipolar::draw_samples(const ShaftInputs& inputs, const LineLayout& layout) {
-  const std::vector<AirPart> parts = inputs.parts();
+void Epipolar::draw_samples(const ShaftInputs& inputs, std::span<const AirPart> parts, const LineLayout& layout) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!steps_) parts_[i].trees.update(inputs, parts_[i].casters, layout);
+    if (!steps_) casters_[i].trees.update(inputs, casters_[i].map, layout);
     add_up(i);
     to_samples_.bind();
     const gl::Program& sample = sample_.use(inputs, layout.picture_px, parts[i].range);
-    bind(sample, parts_[i], inputs, layout, 0.0);
+    bind(sample, casters_[i], inputs, layout, 0.0);
     draw_places(sample, to_samples_, 2, layout.rows);
   }
   plain_state();
@@ -105,13 +104,12 @@ void Epipolar::draw_between(const ShaftInputs& inputs, const LineLayout& layout)
   glDepthRangef(0.0F, 1.0F);
 }
 
-void Epipolar::draw_alone(const ShaftInputs& inputs, const LineLayout& layout) {
-  const std::vector<AirPart> parts = inputs.parts();
+void Epipolar::draw_alone(const ShaftInputs& inputs, std::span<const AirPart> parts, const LineLayout& layout) {
   glDepthFunc(GL_LESS);
   glDepthMask(GL_FALSE);  // all parts are of the same pixels
   for (std::size_t i = 0; i < parts.size(); ++i) {
     add_up(i);
-    bind(alone_.use(inputs, layout.picture_px, parts[i].range), parts_[i], inputs, layout, 0.5 * settings_.line_px);
+    bind(alone_.use(inputs, layout.picture_px, parts[i].range), casters_[i], inputs, layout, 0.5 * settings_.line_px);
     alone_.draw();
   }
   glDepthMask(GL_TRUE);
@@ -120,19 +118,19 @@ void Epipolar::draw_alone(const ShaftInputs& inputs, const LineLayout& layout) {
 
 const ShaftPicture& Epipolar::draw(const ShaftInputs& inputs) {
   const std::vector<AirPart> parts = inputs.parts();
-  while (parts_.size() < parts.size()) parts_.emplace_back();
-  for (std::size_t i = 0; i < parts.size(); ++i) parts_[i].casters.update(inputs, *parts[i].maps);
-  if (parts_.front().casters.empty()) return open_.draw(inputs);
+  while (casters_.size() < parts.size()) casters_.emplace_back();
+  for (std::size_t i = 0; i < parts.size(); ++i) casters_[i].map.update(inputs, *parts[i].maps);
+  if (casters_.front().map.empty()) return open_.draw(inputs);
   const glm::ivec2 size_px = shaft_size(inputs.view, settings_.divisor);
   const LineLayout layout = lay_out_lines(inputs, size_px, settings_.line_px, settings_.sample_px);
   plain_state();
   make_storage(layout);
-  draw_samples(inputs, layout);
+  draw_samples(inputs, parts, layout);
   draw_pairs(layout);
   target_.begin(inputs, size_px);
   glEnable(GL_DEPTH_TEST);
   draw_between(inputs, layout);
-  draw_alone(inputs, layout);
+  draw_alone(inputs, parts, layout);
   CasterMap::unbind(kMapUnit);
   alone_.release();
   return target_.picture();

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <optional>
+#include <span>
 
 #include "render/shafts/air_program.h"
 #include "render/shafts/caster_map.h"
@@ -33,24 +34,24 @@ class Epipolar : public ShaftTechnique {
 
  private:
   Epipolar(const LineSettings& settings, const gl::Defines& defines, bool sun_disc);
-  // A part of the air, and what of its casters the walk or the march looks at.
-  struct Part {
-    CasterMap casters{1};
+  // What of the casters of a part of the air the walk or the march looks at.
+  struct PartCasters {
+    CasterMap map{1};
     SliceTrees trees;
   };
 
-  void bind(const gl::Program& program, const Part& part, const ShaftInputs& inputs, const LineLayout& layout,
+  void bind(const gl::Program& program, const PartCasters& casters, const ShaftInputs& inputs, const LineLayout& layout,
             double beside_px) const;
   void draw_places(const gl::Program& program, const gl::Framebuffer& target, int more, int rows) const;
   void make_storage(const LineLayout& layout);
-  void draw_samples(const ShaftInputs& inputs, const LineLayout& layout);
+  void draw_samples(const ShaftInputs& inputs, std::span<const AirPart> parts, const LineLayout& layout);
   void draw_pairs(const LineLayout& layout);
   void draw_between(const ShaftInputs& inputs, const LineLayout& layout);
-  void draw_alone(const ShaftInputs& inputs, const LineLayout& layout);
+  void draw_alone(const ShaftInputs& inputs, std::span<const AirPart> parts, const LineLayout& layout);
 
   LineSettings settings_;
   std::optional<MarchSteps> steps_;
-  std::deque<Part> parts_;  // of the air
+  std::deque<PartCasters> casters_;  // of the parts of the air
   AirProgram sample_;
   gl::Program pair_{"shafts/line_places.vert", "shafts/line_pairs.frag"};
   AirProgram between_;  // pixels that samples tell

@@ -41,14 +41,20 @@ View view_at(const glm::dvec3& eye, double heading, double pitch) {
   return view;
 }
 
-SeenDepth depth_of(const View& view, std::mt19937& random) {
+SeenDepth as_far_as(double distance_m, const View& view) {
   SeenDepth seen;
   seen.columns = (view.width + SeenDepth::kTilePx - 1) / SeenDepth::kTilePx;
   seen.rows = (view.height + SeenDepth::kTilePx - 1) / SeenDepth::kTilePx;
+  seen.axis_distance_m.assign(static_cast<std::size_t>(seen.columns * seen.rows), distance_m);
+  return seen;
+}
+
+SeenDepth depth_of(const View& view, std::mt19937& random) {
+  SeenDepth seen = as_far_as(0.0, view);
   std::uniform_real_distribution<double> distance(0.5, 40.0);
-  for (int i = 0; i < seen.columns * seen.rows; ++i) {
+  for (double& far_m : seen.axis_distance_m) {
     const double d = distance(random);
-    seen.axis_distance_m.push_back(d > 35.0 ? std::numeric_limits<double>::infinity() : d);
+    far_m = d > 35.0 ? std::numeric_limits<double>::infinity() : d;
   }
   return seen;
 }
@@ -100,7 +106,7 @@ TEST(SeenAir, PartIsSmallWhereTheViewEndsEarly) {
   const glm::dvec3 sun = glm::normalize(glm::dvec3(0.3, 1.0, 0.5));
   const ShadowFit whole = whole_map(sun, glm::dvec3(0.0));
   const View view = view_at({0.0, -2.0, 0.0}, 0.0, 0.0);
-  SeenDepth seen{.columns = 20, .rows = 13, .axis_distance_m = std::vector<double>(260, 3.0)};
+  const SeenDepth seen = as_far_as(3.0, view);
   const ShadowFit part = fit_to_seen_air(whole, kMapPx, view, {.extinction_per_m = 0.02}, seen);
   ASSERT_FALSE(part.empty);
   // A pyramid of 4 x 2.5 x 3 m, and a step of 1/32 to each side.
@@ -113,7 +119,7 @@ TEST(SeenAir, NoneBehindTheCastersNeedsNoMap) {
   const glm::dvec3 sun(0.0, 0.0, 1.0);
   const ShadowFit whole = whole_map(sun, glm::dvec3(0.0));
   const View above = view_at({0.0, 0.0, 30.0}, 0.0, 0.4);  // looks away, above all of them
-  SeenDepth seen{.columns = 20, .rows = 13, .axis_distance_m = std::vector<double>(260, 50.0)};
+  const SeenDepth seen = as_far_as(50.0, above);
   EXPECT_TRUE(fit_to_seen_air(whole, kMapPx, above, {.extinction_per_m = 0.02}, seen).empty);
   EXPECT_TRUE(fit_to_seen_air(ShadowFit{}, kMapPx, above, {.extinction_per_m = 0.02}, seen).empty);
 }
@@ -121,7 +127,7 @@ TEST(SeenAir, NoneBehindTheCastersNeedsNoMap) {
 // A moving eye keeps its map for some frames.
 TEST(SeenAir, PartStaysWhileTheViewMovesALittle) {
   const ShadowFit whole = whole_map(glm::normalize(glm::dvec3(0.3, 1.0, 0.5)), glm::dvec3(0.0));
-  SeenDepth seen{.columns = 20, .rows = 13, .axis_distance_m = std::vector<double>(260, 3.0)};
+  const SeenDepth seen = as_far_as(3.0, view_at({0.0, -2.0, 0.0}, 0.0, 0.0));
   int changes = 0;
   ShadowFit last;
   for (int i = 0; i < 100; ++i) {
@@ -134,7 +140,8 @@ TEST(SeenAir, PartStaysWhileTheViewMovesALittle) {
 }
 
 // Looks along a map of that many metres, 1.6 m above its middle.
-std::vector<AxisRange> parts_of(double size_m, const Medium& medium, double eye_y_m = 0.0) {
+std::vector<AxisRange> parts_of(double size_m, const Medium& medium, double eye_y_m = 0.0, int map_px = kMapPx,
+                                double focal_px = 240.0) {
   const glm::dvec3 sun = glm::normalize(glm::dvec3(1.0, 0.2, 0.7));
   ShadowFit whole = whole_map(sun, glm::dvec3(0.0, 0.5 * size_m, 0.0));
   const glm::dvec3 size(size_m, size_m, size_m);
@@ -145,9 +152,14 @@ std::vector<AxisRange> parts_of(double size_m, const Medium& medium, double eye_
                      0.5 * size - glm::dvec3(light_from_world * glm::dvec4(0.0, 0.5 * size_m, 0.0, 1.0))) *
       light_from_world;
   whole.metres_per_unit = size;
-  const View view = view_at({0.0, eye_y_m, 1.6}, 0.0, 0.05);
-  const SeenDepth seen{.columns = 20, .rows = 13, .axis_distance_m = std::vector<double>(260, size_m)};
-  return part_air(whole, kMapPx, view, medium, seen);
+  View view = view_at({0.0, eye_y_m, 1.6}, 0.0, 0.05);
+  const double finer = focal_px / view.focal_px.x;
+  view.width = static_cast<int>(finer * view.width);
+  view.height = static_cast<int>(finer * view.height);
+  view.focal_px *= finer;
+  view.centre_px *= finer;
+  const SeenDepth seen = as_far_as(size_m, view);
+  return part_air(whole, fit_to_seen_air(whole, map_px, view, medium, seen), map_px, view, medium, seen);
 }
 
 TEST(AirParts, FollowOneAnotherFromTheEyeOn) {
@@ -171,6 +183,12 @@ TEST(AirParts, AreMoreThanOneOnlyWhereTexelsNearTheEyeAreCoarse) {
   EXPECT_GT(parts_of(1000.0, {.extinction_per_m = 0.02}).size(), 1U);  // a metre
   // In clear air the little that is near scatters next to nothing of what is seen; in thick air it is all there is.
   EXPECT_LT(parts_of(100.0, {.extinction_per_m = 1e-4}).size(), parts_of(100.0, {.extinction_per_m = 0.5}).size());
+}
+
+// A yard of 17 m, as the standard scenes are: a second map would take half as long again and hardly be seen.
+TEST(AirParts, AreOneInAYard) {
+  EXPECT_EQ(parts_of(17.0, {.extinction_per_m = 0.025}, 0.0, 2048, 1206.0).size(), 1U);
+  EXPECT_GT(parts_of(17.0, {.extinction_per_m = 0.025}, 0.0, 256, 1206.0).size(), 1U);
 }
 
 TEST(AirParts, StayWhileTheViewMovesALittle) {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "render/shafts/reference/shaft_reference.h"
 #include "tests/golden/light/light_rig.h"
+#include "tests/golden/light/truth.h"
 
 namespace render::test {
 namespace {
@@ -132,12 +132,7 @@ TEST_F(AirShadowPicture, SealedBoxStaysAtZeroInAllParts) {
 
 TEST_F(AirShadowPicture, IsNearerToTheTruthThanTheSurfacesMap) {
   const SceneState scene = posts_near_and_far();
-  std::vector<float> axis_m;
-  for (const glm::vec4& p : rig().render(scene, parse_shaft_settings("closed-form:divisor=1")).distance.rgba) {
-    axis_m.push_back(p.r);
-  }
-  const ReferencePicture truth =
-      ShaftReference(scene, {.sky = ReferenceSky::Open}).picture(pinhole_view(scene.camera), axis_m);
+  const ReferencePicture truth = truth_of(scene);
   for (const char* shafts : {"march:steps=1024", "minmax:line_px=1.1,sample_px=8,tolerance=0.01"}) {
     const AirPicture coarse = draw(scene, shafts, Maps::Surfaces);
     const AirPicture fine = draw(scene, shafts);
@@ -164,12 +159,7 @@ SceneState colonnade() {
 
 TEST_F(AirShadowPicture, IsPartedWhereTexelsAreWideNearTheEye) {
   const SceneState scene = colonnade();
-  std::vector<float> axis_m;
-  for (const glm::vec4& p : rig().render(scene, parse_shaft_settings("closed-form:divisor=1")).distance.rgba) {
-    axis_m.push_back(p.r);
-  }
-  const ReferencePicture truth =
-      ShaftReference(scene, {.sky = ReferenceSky::Open}).picture(pinhole_view(scene.camera), axis_m);
+  const ReferencePicture truth = truth_of(scene);
   for (const char* shafts : kPartedTechniques) {
     const AirPicture coarse = draw(scene, shafts, Maps::OneForTheAir);
     const AirPicture fine = draw(scene, shafts);

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "render/shafts/reference/shaft_reference.h"
 #include "tests/golden/light/light_rig.h"
+#include "tests/golden/light/truth.h"
 
 namespace render::test {
 namespace {
@@ -37,11 +37,7 @@ constexpr glm::vec4 kRed{0.9F, 0.2F, 0.1F, 0.5F};
 
 TEST(Glass, EveryTechniqueTintsShaftsAsTheReferenceDoes) {
   const SceneState scene = under_a_pane(kRed);
-  const LightPictures open = rig().render(scene, parse_shaft_settings("closed-form:divisor=1"));
-  std::vector<float> axis_m;
-  for (const glm::vec4& p : open.distance.rgba) axis_m.push_back(p.r);
-  const ReferencePicture truth =
-      ShaftReference(scene, {.sky = ReferenceSky::None}).picture(pinhole_view(scene.camera), axis_m);
+  const ReferencePicture truth = truth_of(scene, ReferenceSky::None);
   for (const char* technique :
        {"march:steps=512", "interleaved:steps=128,divisor=1", "bilateral:steps=512,divisor=2,radius=2",
         "epipolar:steps=512,line_px=1,tolerance=0.01", "minmax:line_px=1,sample_px=8,tolerance=0.01"}) {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "render/shafts/reference/shaft_reference.h"
 #include "tests/golden/light/light_rig.h"
+#include "tests/golden/light/truth.h"
 
 namespace render::test {
 namespace {
@@ -21,13 +21,6 @@ SceneState posts(bool bounded) {
   scene.medium = Medium{.extinction_per_m = 0.06, .albedo = 0.9, .g = 0.5};
   if (bounded) scene.medium->extent = Box{{-6.0, 1.0, 0.0}, {6.0, 14.0, 5.0}};
   return scene;
-}
-
-ReferencePicture truth_of(const SceneState& scene) {
-  std::vector<float> axis_m;
-  const LightPictures unshaded = rig().render(scene, parse_shaft_settings("closed-form:divisor=1"));
-  for (const glm::vec4& p : unshaded.distance.rgba) axis_m.push_back(p.r);
-  return ShaftReference(scene, {.sky = ReferenceSky::Open}).picture(pinhole_view(scene.camera), axis_m);
 }
 
 // Half floats that were cut off, not rounded, would let 3e-4 less of the light through.
