@@ -20,11 +20,10 @@
 #include "ar/error.h"
 #include "ar/place/place.h"
 #include "render/sky/patches.h"
+#include "render/sun/angles.h"
 
 namespace app {
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 struct SkyArguments {
   PlaceTimeArguments where;
@@ -46,8 +45,8 @@ SunRequest sun_request(const SkyArguments& arguments) {
   if (!arguments.where.at.empty()) request.place = place_of(arguments.where.at);
   if (!arguments.where.time.empty()) request.time = ar::parse_time(arguments.where.time);
   if (!arguments.sun_deg.empty()) {
-    request.azimuth_rad = arguments.sun_deg[0] * kRadPerDeg;
-    request.elevation_rad = arguments.sun_deg[1] * kRadPerDeg;
+    request.azimuth_rad = arguments.sun_deg[0] * render::kRadPerDeg;
+    request.elevation_rad = arguments.sun_deg[1] * render::kRadPerDeg;
   }
   return request;
 }
@@ -63,7 +62,7 @@ std::vector<ViewRequest> views_of(const SkyArguments& arguments) {
     if (!stream || comma != ',' || !stream.eof() || !(std::abs(elevation_deg) <= 90.0)) {
       throw UsageError("--direction " + text + ": expected AZIMUTH,ELEVATION in degrees, as 180,45");
     }
-    views.push_back({azimuth_deg * kRadPerDeg, elevation_deg * kRadPerDeg});
+    views.push_back({azimuth_deg * render::kRadPerDeg, elevation_deg * render::kRadPerDeg});
   }
   return views;
 }
@@ -78,9 +77,9 @@ void print_patches(std::ostream& out, const SkyAnswer& answer, const SkyArgument
     const glm::dvec3& d = patch.direction_in_world;
     const double azimuth = std::atan2(d.x, d.y);
     out << fmt::format("{:.5f},{:.5f},{:.8g},{:.6g},{:.6g},{:.6g},{:.8g}\n",
-                       (azimuth < 0.0 ? azimuth + 2.0 * std::numbers::pi : azimuth) / kRadPerDeg,
-                       std::asin(d.z) / kRadPerDeg, patch.solid_angle_sr, patch.luminance_rgb.r, patch.luminance_rgb.g,
-                       patch.luminance_rgb.b, patch.moment_sr.z);
+                       (azimuth < 0.0 ? azimuth + 2.0 * std::numbers::pi : azimuth) / render::kRadPerDeg,
+                       std::asin(d.z) / render::kRadPerDeg, patch.solid_angle_sr, patch.luminance_rgb.r,
+                       patch.luminance_rgb.g, patch.luminance_rgb.b, patch.moment_sr.z);
   }
 }
 

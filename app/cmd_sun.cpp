@@ -20,11 +20,11 @@
 #include "app/sun_table.h"
 #include "ar/error.h"
 #include "ar/place/place.h"
+#include "render/sun/angles.h"
 
 namespace app {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr std::size_t kMostRows = 1'000'000;
 constexpr std::size_t kMostSkies = 100'000;  // an hour or so of computing
 
@@ -87,7 +87,7 @@ Plane plane_of(const SunArguments& arguments) {
     throw UsageError(fmt::format("--plane leans {} degrees\nexpected AZIMUTH,TILT with a tilt of 0 (level) to 180",
                                  arguments.plane_deg[1]));
   }
-  return {arguments.plane_deg[0] * kRadPerDeg, arguments.plane_deg[1] * kRadPerDeg};
+  return {arguments.plane_deg[0] * render::kRadPerDeg, arguments.plane_deg[1] * render::kRadPerDeg};
 }
 
 int run_average(const SunArguments& arguments, const render::Place& place, render::UtcTime first) {

@@ -13,16 +13,16 @@
 #include "render/sky/moon.h"
 #include "render/sky/sky_light.h"
 #include "render/sky/sky_model.h"
+#include "render/sun/angles.h"
 #include "render/sun/sun.h"
 
 namespace app {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 const glm::dvec3 kRec709{0.2126, 0.7152, 0.0722};
 
 render::Place to_render(const ar::GeoPosition& place) {
-  return {place.latitude_deg / kDegPerRad, place.longitude_deg / kDegPerRad, place.height_m};
+  return {place.latitude_deg / render::kDegPerRad, place.longitude_deg / render::kDegPerRad, place.height_m};
 }
 
 void check_sun_is_known(const SceneSun& sun, const Conditions& conditions) {
@@ -133,10 +133,11 @@ double horizontal_illuminance(const render::SceneState& state) {
 
 void log_light(const render::SceneState& state) {
   const glm::dvec3& direction = state.sun.direction_in_world;
-  const double azimuth_deg = kDegPerRad * std::atan2(direction.x, direction.y);
+  const double azimuth_deg = render::kDegPerRad * std::atan2(direction.x, direction.y);
   spdlog::info("{} at azimuth {:.2f}, elevation {:.2f} degrees, {:.5g} lux; sky {:.5g} lux on level ground",
                state.sun.is_moon ? "moon" : "sun", azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg,
-               kDegPerRad * std::asin(std::clamp(direction.z, -1.0, 1.0)), glm::dot(state.sun.illuminance_rgb, kRec709),
+               render::kDegPerRad * std::asin(std::clamp(direction.z, -1.0, 1.0)),
+               glm::dot(state.sun.illuminance_rgb, kRec709),
                glm::dot(state.sky_light.horizontal_illuminance_rgb, kRec709));
 }
 

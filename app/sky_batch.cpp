@@ -8,11 +8,11 @@
 #include "app/sky_table.h"
 #include "ar/error.h"
 #include "ar/place/place.h"
+#include "render/sun/angles.h"
 
 namespace app {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 const std::vector<std::string> kRequired = {"utc", "lat_deg", "lon_deg", "view_azimuth_deg", "view_elevation_deg"};
 const std::vector<std::string> kOptional = {"turbidity", "dni_wm2",           "dhi_wm2",        "epsilon",
                                             "delta",     "sun_elevation_deg", "sun_azimuth_deg"};
@@ -34,12 +34,14 @@ render::UtcTime time_of(const CsvReader& csv) {
 SunRequest sun_of(const CsvReader& csv) {
   SunRequest request;
   const std::optional<double> elevation_deg = csv.optional_number("sun_elevation_deg");
-  if (elevation_deg) request.elevation_rad = within(csv, "sun_elevation_deg", *elevation_deg, -90, 90) * kRadPerDeg;
+  if (elevation_deg) {
+    request.elevation_rad = within(csv, "sun_elevation_deg", *elevation_deg, -90, 90) * render::kRadPerDeg;
+  }
   const std::optional<double> azimuth_deg = csv.optional_number("sun_azimuth_deg");
-  if (azimuth_deg) request.azimuth_rad = *azimuth_deg * kRadPerDeg;
+  if (azimuth_deg) request.azimuth_rad = *azimuth_deg * render::kRadPerDeg;
   if (elevation_deg && csv.text("utc").empty()) return request;
   const double latitude_deg = within(csv, "lat_deg", csv.number("lat_deg"), -90.0, 90.0);
-  request.place = render::Place{latitude_deg * kRadPerDeg, csv.number("lon_deg") * kRadPerDeg, 0.0};
+  request.place = render::Place{latitude_deg * render::kRadPerDeg, csv.number("lon_deg") * render::kRadPerDeg, 0.0};
   request.time = time_of(csv);
   return request;
 }
@@ -82,11 +84,12 @@ void run_sky_batch(std::istream& in, const std::string& name, std::ostream& out,
     auto found = skies.find(key);
     if (found == skies.end()) found = skies.emplace(key, answer(sun_of(csv), options_of(csv, options))).first;
     const double elevation_deg = within(csv, "view_elevation_deg", csv.number("view_elevation_deg"), -90.0, 90.0);
-    const glm::dvec3 view = view_direction({csv.number("view_azimuth_deg") * kRadPerDeg, elevation_deg * kRadPerDeg});
+    const glm::dvec3 view =
+        view_direction({csv.number("view_azimuth_deg") * render::kRadPerDeg, elevation_deg * render::kRadPerDeg});
     const glm::dvec3 xyz = found->second.sky->luminance_xyz(view);
     for (const std::string& column : columns) out << csv.text(column) << ',';
     fmt::print(out, "{:.8g},{:.8g},{:.8g},{:.6f}\n", xyz.x, xyz.y, xyz.z,
-               sun_angle_rad(found->second, view) / kRadPerDeg);
+               sun_angle_rad(found->second, view) / render::kRadPerDeg);
   }
 }
 

@@ -16,8 +16,6 @@
 namespace app {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 int height_of(const SkyPictureOptions& options) {
   constexpr int kPicture = 512;
   constexpr int kCube = 64;
@@ -34,7 +32,7 @@ std::optional<glm::dvec3> direction_at(const SkyPictureOptions& options, double 
   const double y = 1.0 - 2.0 * y_px / height;
   const double radius = std::hypot(x, y);
   if (radius > 1.0) return std::nullopt;
-  const double from_zenith = 0.5 * kPi * radius;
+  const double from_zenith = 0.5 * std::numbers::pi * radius;
   const double scale = radius > 0.0 ? std::sin(from_zenith) / radius : 0.0;
   return glm::dvec3(-x * scale, y * scale, std::cos(from_zenith));
 }
@@ -130,8 +128,8 @@ render::LinearImage cube_picture(const SkyAnswer& answer, int size_px) {
   render::SkyCubeOptions options{size_px, 1};
   while (options.levels < kMostLevels && size_px >> options.levels >= kSmallestFace) ++options.levels;
   const double sine = std::max(std::sin(answer.sun.apparent_elevation_rad), 0.0);
-  const glm::dvec3 ground =
-      (render::horizontal_illuminance(*answer.sky) + answer.sun_illuminance_rgb * sine) * (kGroundAlbedo / kPi);
+  const glm::dvec3 ground = (render::horizontal_illuminance(*answer.sky) + answer.sun_illuminance_rgb * sine) *
+                            (kGroundAlbedo / std::numbers::pi);
   const std::vector<render::CubeLevel> levels = render::make_sky_cube(*answer.sky, ground, options);
   render::LinearImage picture{6 * size_px, 0, {}};
   for (const render::CubeLevel& level : levels) picture.height += level.size_px;
@@ -162,10 +160,10 @@ render::LinearImage sky_picture(const SkyAnswer& answer, const SkyPictureOptions
                      glm::vec3(0.0F));
   const glm::dvec3 sun = answer.sun.apparent_direction_in_world();
   const double radius = answer.sun.angular_radius_rad;
-  const double near_sun = std::cos(radius + 2.0 * kPi / height);
+  const double near_sun = std::cos(radius + 2.0 * std::numbers::pi / height);
   const double visible = render::visible_light_share(answer.sun.apparent_elevation_rad / radius, 555.0);
   const glm::dvec3 disc =
-      visible > 0.0 ? answer.sun_illuminance_rgb / (visible * kPi * radius * radius) : glm::dvec3(0.0);
+      visible > 0.0 ? answer.sun_illuminance_rgb / (visible * std::numbers::pi * radius * radius) : glm::dvec3(0.0);
   for (int row = 0; row < picture.height; ++row) {
     for (int column = 0; column < picture.width; ++column) {
       const auto direction = direction_at(options, column + 0.5, row + 0.5);

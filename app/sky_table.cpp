@@ -8,12 +8,11 @@
 #include <numbers>
 
 #include "render/sky/hemisphere.h"
+#include "render/sun/angles.h"
 #include "render/sun/spectrum.h"
 
 namespace app {
 namespace {
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 struct Row {
   double azimuth_deg;
@@ -45,8 +44,8 @@ glm::dvec3 color_of(const render::SkyModel& sky, const glm::dvec3& view, ColorSp
 
 Row row_of(const SkyAnswer& answer, const ViewRequest& view, ColorSpace space) {
   const glm::dvec3 direction = view_direction(view);
-  return {view.azimuth_rad * kDegPerRad, view.elevation_rad * kDegPerRad, color_of(*answer.sky, direction, space),
-          sun_angle_rad(answer, direction) * kDegPerRad};
+  return {view.azimuth_rad * render::kDegPerRad, view.elevation_rad * render::kDegPerRad,
+          color_of(*answer.sky, direction, space), sun_angle_rad(answer, direction) * render::kDegPerRad};
 }
 
 Level level_of(const SkyAnswer& answer) {
@@ -63,8 +62,9 @@ void write_sky_text(std::ostream& out, const SkyAnswer& answer, const std::vecto
   fmt::print(out,
              "sun                 azimuth {:.4f} deg, elevation {:.4f} deg ({:.4f} apparent)\n"
              "level ground gets   {:.6g} lux: {:.6g} from the sky, {:.6g} from the sun\n",
-             answer.sun.azimuth_rad * kDegPerRad, answer.sun.elevation_rad * kDegPerRad,
-             answer.sun.apparent_elevation_rad * kDegPerRad, level.diffuse + level.direct, level.diffuse, level.direct);
+             answer.sun.azimuth_rad * render::kDegPerRad, answer.sun.elevation_rad * render::kDegPerRad,
+             answer.sun.apparent_elevation_rad * render::kDegPerRad, level.diffuse + level.direct, level.diffuse,
+             level.direct);
   if (views.empty()) return;
   const auto names = names_of(space);
   fmt::print(out, "{:>10} {:>10} {:>12} {:>12} {:>12} {:>10}\n", "azimuth", "elevation", names[0], names[1], names[2],
@@ -92,9 +92,9 @@ void write_sky_json(std::ostream& out, const SkyAnswer& answer, const std::vecto
   const Level level = level_of(answer);
   const auto names = names_of(space);
   nlohmann::json json = {{"sun",
-                          {{"azimuth_deg", answer.sun.azimuth_rad * kDegPerRad},
-                           {"elevation_deg", answer.sun.elevation_rad * kDegPerRad},
-                           {"apparent_elevation_deg", answer.sun.apparent_elevation_rad * kDegPerRad}}},
+                          {{"azimuth_deg", answer.sun.azimuth_rad * render::kDegPerRad},
+                           {"elevation_deg", answer.sun.elevation_rad * render::kDegPerRad},
+                           {"apparent_elevation_deg", answer.sun.apparent_elevation_rad * render::kDegPerRad}}},
                          {"horizontal_illuminance_lux",
                           {{"global", level.diffuse + level.direct},
                            {"diffuse", level.diffuse},

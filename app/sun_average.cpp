@@ -11,7 +11,6 @@
 namespace app {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kSampleDeg = 3.75;
 
 // Directions sampled in every bin, `side` by `side`, evenly in azimuth and in the sine of the elevation.
@@ -27,8 +26,8 @@ class Grid {
     for (int row = 0; row < rows_; ++row) {
       for (int sector = 0; sector < sectors_; ++sector) {
         DirectionBin& bin = bins.emplace_back();
-        bin.azimuth_rad = 2.0 * kPi * (sector + 0.5) / sectors_;
-        bin.elevation_rad = 0.5 * kPi * (row + 0.5) / rows_;
+        bin.azimuth_rad = 2.0 * std::numbers::pi * (sector + 0.5) / sectors_;
+        bin.elevation_rad = 0.5 * std::numbers::pi * (row + 0.5) / rows_;
         bin.solid_angle_sr = sample_sr(row) * side_ * side_;
       }
     }
@@ -48,9 +47,9 @@ class Grid {
   }
 
   std::size_t bin_of(double azimuth_rad, double elevation_rad) const {
-    const double turns = azimuth_rad / (2.0 * kPi);
+    const double turns = azimuth_rad / (2.0 * std::numbers::pi);
     const int sector = std::min(static_cast<int>((turns - std::floor(turns)) * sectors_), sectors_ - 1);
-    const int row = std::clamp(static_cast<int>(elevation_rad / (0.5 * kPi) * rows_), 0, rows_ - 1);
+    const int row = std::clamp(static_cast<int>(elevation_rad / (0.5 * std::numbers::pi) * rows_), 0, rows_ - 1);
     return index(row, sector);
   }
 
@@ -58,12 +57,12 @@ class Grid {
   std::size_t index(int row, int sector) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(sectors_) + static_cast<std::size_t>(sector);
   }
-  double sine(double row) const { return std::sin(0.5 * kPi * row / rows_); }
+  double sine(double row) const { return std::sin(0.5 * std::numbers::pi * row / rows_); }
   double sample_sr(int row) const {
-    return (sine(row + 1) - sine(row)) * 2.0 * kPi / sectors_ / (static_cast<double>(side_) * side_);
+    return (sine(row + 1) - sine(row)) * 2.0 * std::numbers::pi / sectors_ / (static_cast<double>(side_) * side_);
   }
   glm::dvec3 sample(int row, int sector, int i, int j) const {
-    const double azimuth = 2.0 * kPi * (sector + (i + 0.5) / side_) / sectors_;
+    const double azimuth = 2.0 * std::numbers::pi * (sector + (i + 0.5) / side_) / sectors_;
     const double z = sine(row) + (sine(row + 1) - sine(row)) * (j + 0.5) / side_;
     const double radius = std::sqrt(std::max(1.0 - z * z, 0.0));
     return {radius * std::sin(azimuth), radius * std::cos(azimuth), z};

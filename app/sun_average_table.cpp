@@ -6,12 +6,11 @@
 
 #include "app/sun_average.h"
 #include "ar/place/place.h"
+#include "render/sun/angles.h"
 #include "render/sun/spectrum.h"
 
 namespace app {
 namespace {
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 double plane_lux(const DirectionBin& bin) {
   return bin.plane_sky_lux + bin.plane_sun_lux;
@@ -22,8 +21,8 @@ nlohmann::json rgb_json(const glm::dvec3& rgb) {
 }
 
 nlohmann::json bin_json(const DirectionBin& bin) {
-  return {{"azimuth_deg", bin.azimuth_rad * kDegPerRad},
-          {"elevation_deg", bin.elevation_rad * kDegPerRad},
+  return {{"azimuth_deg", bin.azimuth_rad * render::kDegPerRad},
+          {"elevation_deg", bin.elevation_rad * render::kDegPerRad},
           {"solid_angle_sr", bin.solid_angle_sr},
           {"sky_luminance_rgb", rgb_json(bin.sky_luminance_rgb)},
           {"sun_illuminance_rgb", rgb_json(bin.sun_illuminance_rgb)},
@@ -43,18 +42,18 @@ void write_average_text(std::ostream& out, const AverageLight& light) {
              "exposure            {:.6g} klx h\n\n"
              "{:>10} {:>10} {:>14} {:>14} {:>14} {:>8}\n",
              ar::format_time(light.request.first), ar::format_time(light.request.last), light.instants,
-             light.request.plane.azimuth_rad * kDegPerRad, light.request.plane.tilt_rad * kDegPerRad, sky + sun, sky,
-             sun, (sky + sun) * light.hours * 1e-3, "azimuth", "elevation", "sky, cd/m2", "sun, lux", "on plane, lux",
-             "share");
+             light.request.plane.azimuth_rad * render::kDegPerRad, light.request.plane.tilt_rad * render::kDegPerRad,
+             sky + sun, sky, sun, (sky + sun) * light.hours * 1e-3, "azimuth", "elevation", "sky, cd/m2", "sun, lux",
+             "on plane, lux", "share");
   constexpr std::ptrdiff_t kShown = 10;
   std::vector<DirectionBin> bins = light.bins;
   const auto shown = bins.begin() + std::min<std::ptrdiff_t>(kShown, std::ssize(bins));
   std::partial_sort(bins.begin(), shown, bins.end(),
                     [](const DirectionBin& a, const DirectionBin& b) { return plane_lux(a) > plane_lux(b); });
   std::for_each(bins.begin(), shown, [&](const DirectionBin& bin) {
-    fmt::print(out, "{:>10.4g} {:>10.4g} {:>14.6g} {:>14.6g} {:>14.6g} {:>6.1f} %\n", bin.azimuth_rad * kDegPerRad,
-               bin.elevation_rad * kDegPerRad, render::luminance(bin.sky_luminance_rgb),
-               render::luminance(bin.sun_illuminance_rgb), plane_lux(bin),
+    fmt::print(out, "{:>10.4g} {:>10.4g} {:>14.6g} {:>14.6g} {:>14.6g} {:>6.1f} %\n",
+               bin.azimuth_rad * render::kDegPerRad, bin.elevation_rad * render::kDegPerRad,
+               render::luminance(bin.sky_luminance_rgb), render::luminance(bin.sun_illuminance_rgb), plane_lux(bin),
                sky + sun > 0.0 ? 100.0 * plane_lux(bin) / (sky + sun) : 0.0);
   });
 }
@@ -65,8 +64,8 @@ void write_average_csv(std::ostream& out, const AverageLight& light) {
     const glm::dvec3& sky = bin.sky_luminance_rgb;
     const glm::dvec3& sun = bin.sun_illuminance_rgb;
     fmt::print(out, "{:.6g},{:.6g},{:.8g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.8g},{:.8g}\n",
-               bin.azimuth_rad * kDegPerRad, bin.elevation_rad * kDegPerRad, bin.solid_angle_sr, sky.r, sky.g, sky.b,
-               sun.r, sun.g, sun.b, bin.plane_sky_lux, bin.plane_sun_lux);
+               bin.azimuth_rad * render::kDegPerRad, bin.elevation_rad * render::kDegPerRad, bin.solid_angle_sr, sky.r,
+               sky.g, sky.b, sun.r, sun.g, sun.b, bin.plane_sky_lux, bin.plane_sun_lux);
   }
 }
 
@@ -76,8 +75,8 @@ void write_average_json(std::ostream& out, const AverageLight& light) {
                          {"instants", light.instants},
                          {"hours", light.hours},
                          {"plane",
-                          {{"azimuth_deg", light.request.plane.azimuth_rad * kDegPerRad},
-                           {"tilt_deg", light.request.plane.tilt_rad * kDegPerRad}}},
+                          {{"azimuth_deg", light.request.plane.azimuth_rad * render::kDegPerRad},
+                           {"tilt_deg", light.request.plane.tilt_rad * render::kDegPerRad}}},
                          {"mean_illuminance_lux",
                           {{"sky", render::luminance(light.sky_illuminance_rgb)},
                            {"sun", render::luminance(light.sun_illuminance_rgb)},

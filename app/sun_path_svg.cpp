@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ar/place/place.h"
+#include "render/sun/angles.h"
 
 namespace app {
 namespace {
@@ -19,7 +20,6 @@ using namespace std::chrono;
 constexpr double kSize = 800.0;
 constexpr double kCentre = kSize / 2.0;
 constexpr double kRadius = 340.0;
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 struct Point {
   double x = 0.0;
@@ -108,8 +108,8 @@ void write_sun_path_svg(std::ostream& out, const render::Place& place, render::U
   const std::string when =
       whole_year ? std::to_string(static_cast<int>(date.year())) : ar::format_time(day).substr(0, 10);
   write_label(out, {kCentre, kSize + 15.0},
-              fmt::format("The sun over {:.4f} N, {:.4f} E, {}; hours in UTC", place.latitude_rad * kDegPerRad,
-                          place.longitude_rad * kDegPerRad, when));
+              fmt::format("The sun over {:.4f} N, {:.4f} E, {}; hours in UTC", place.latitude_rad * render::kDegPerRad,
+                          place.longitude_rad * render::kDegPerRad, when));
   if (whole_year) {
     write_year(out, place, tier, date.year());
   } else {

@@ -11,13 +11,12 @@
 #include "app/csv.h"
 #include "ar/error.h"
 #include "ar/place/place.h"
+#include "render/sun/angles.h"
 #include "render/sun/spectrum.h"
 #include "render/sun/sun_events.h"
 
 namespace app {
 namespace {
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 void write_csv_header(std::ostream& out) {
   out << "utc,lat_deg,lon_deg,height_m,azimuth_deg,elevation_deg,apparent_elevation_deg,illuminance_lux,r,g,b\n";
@@ -27,9 +26,10 @@ void write_csv_header(std::ostream& out) {
 void write_csv_row(std::ostream& out, const std::string& utc, const SunRow& row) {
   const glm::dvec3& rgb = row.light.illuminance_rgb;
   fmt::print(out, "{},{:.9g},{:.9g},{:.9g},{:.6f},{:.6f},{:.6f},{:.6g},{:.6g},{:.6g},{:.6g}\n", utc,
-             row.place.latitude_rad * kDegPerRad, row.place.longitude_rad * kDegPerRad, row.place.height_m,
-             row.position.azimuth_rad * kDegPerRad, row.position.elevation_rad * kDegPerRad,
-             row.position.apparent_elevation_rad * kDegPerRad, render::luminance(rgb), rgb.r, rgb.g, rgb.b);
+             row.place.latitude_rad * render::kDegPerRad, row.place.longitude_rad * render::kDegPerRad,
+             row.place.height_m, row.position.azimuth_rad * render::kDegPerRad,
+             row.position.elevation_rad * render::kDegPerRad, row.position.apparent_elevation_rad * render::kDegPerRad,
+             render::luminance(rgb), rgb.r, rgb.g, rgb.b);
 }
 
 nlohmann::json json_time(const std::optional<render::UtcTime>& time) {
@@ -40,15 +40,15 @@ nlohmann::json json_row(const SunRow& row, const SunTableOptions& options) {
   const glm::dvec3& rgb = row.light.illuminance_rgb;
   const render::SunEvents events = render::sun_events(row.place, row.time, render::kSunriseElevationRad, options.tier);
   return {{"utc", ar::format_time(row.time)},
-          {"lat_deg", row.place.latitude_rad * kDegPerRad},
-          {"lon_deg", row.place.longitude_rad * kDegPerRad},
+          {"lat_deg", row.place.latitude_rad * render::kDegPerRad},
+          {"lon_deg", row.place.longitude_rad * render::kDegPerRad},
           {"height_m", row.place.height_m},
-          {"azimuth_deg", row.position.azimuth_rad * kDegPerRad},
-          {"elevation_deg", row.position.elevation_rad * kDegPerRad},
-          {"apparent_elevation_deg", row.position.apparent_elevation_rad * kDegPerRad},
+          {"azimuth_deg", row.position.azimuth_rad * render::kDegPerRad},
+          {"elevation_deg", row.position.elevation_rad * render::kDegPerRad},
+          {"apparent_elevation_deg", row.position.apparent_elevation_rad * render::kDegPerRad},
           {"distance_au", row.position.distance_au},
-          {"angular_radius_deg", row.position.angular_radius_rad * kDegPerRad},
-          {"shadow_radius_deg", row.light.shadow_radius_rad * kDegPerRad},
+          {"angular_radius_deg", row.position.angular_radius_rad * render::kDegPerRad},
+          {"shadow_radius_deg", row.light.shadow_radius_rad * render::kDegPerRad},
           {"equation_of_time_s", render::equation_of_time_s(row.time, options.tier)},
           {"visible_disc_fraction", row.light.visible_disc_fraction},
           {"illuminance_lux", render::luminance(rgb)},
@@ -67,7 +67,7 @@ void write_events(std::ostream& out, const SunRow& row, const SunTableOptions& o
   const std::string none = day.always_up ? "none that day: the sun stays up" : "none that day";
   const auto text = [&](const std::optional<render::UtcTime>& time) { return time ? whole_seconds(*time) : none; };
   fmt::print(out, "sunrise             {}\ntransit             {}  at {:.3f} deg\nsunset              {}\n",
-             text(day.rise), whole_seconds(day.transit), day.transit_elevation_rad * kDegPerRad, text(day.set));
+             text(day.rise), whole_seconds(day.transit), day.transit_elevation_rad * render::kDegPerRad, text(day.set));
 }
 
 void write_instant(std::ostream& out, const SunRow& row, const SunTableOptions& options) {
@@ -80,12 +80,12 @@ void write_instant(std::ostream& out, const SunRow& row, const SunTableOptions& 
       "angular radius      {:.4f} deg; {:.4f} for soft shadows, for its limb is dark\nequation of time    {:+.1f} s\n"
       "illuminance         {:.0f} lux facing the sun, {:.0f} % of the disc up\n"
       "illuminance rgb     {:.0f} {:.0f} {:.0f} lux, linear Rec. 709\n",
-      ar::format_time(row.time), row.place.latitude_rad * kDegPerRad, row.place.longitude_rad * kDegPerRad,
-      row.place.height_m, row.position.azimuth_rad * kDegPerRad, row.position.elevation_rad * kDegPerRad,
-      row.position.apparent_elevation_rad * kDegPerRad, row.position.distance_au,
-      row.position.angular_radius_rad * kDegPerRad, row.light.shadow_radius_rad * kDegPerRad,
-      render::equation_of_time_s(row.time, options.tier), render::luminance(rgb),
-      100.0 * row.light.visible_disc_fraction, rgb.r, rgb.g, rgb.b);
+      ar::format_time(row.time), row.place.latitude_rad * render::kDegPerRad,
+      row.place.longitude_rad * render::kDegPerRad, row.place.height_m, row.position.azimuth_rad * render::kDegPerRad,
+      row.position.elevation_rad * render::kDegPerRad, row.position.apparent_elevation_rad * render::kDegPerRad,
+      row.position.distance_au, row.position.angular_radius_rad * render::kDegPerRad,
+      row.light.shadow_radius_rad * render::kDegPerRad, render::equation_of_time_s(row.time, options.tier),
+      render::luminance(rgb), 100.0 * row.light.visible_disc_fraction, rgb.r, rgb.g, rgb.b);
   write_events(out, row, options);
 }
 
@@ -118,8 +118,8 @@ void write_sun_text(std::ostream& out, const std::vector<SunRow>& rows, const Su
   fmt::print(out, "{:<24} {:>11} {:>11} {:>11} {:>11}\n", "time", "azimuth", "elevation", "apparent", "lux");
   for (const SunRow& row : rows) {
     fmt::print(out, "{:<24} {:>11.4f} {:>11.4f} {:>11.4f} {:>11.0f}\n", ar::format_time(row.time),
-               row.position.azimuth_rad * kDegPerRad, row.position.elevation_rad * kDegPerRad,
-               row.position.apparent_elevation_rad * kDegPerRad, render::luminance(row.light.illuminance_rgb));
+               row.position.azimuth_rad * render::kDegPerRad, row.position.elevation_rad * render::kDegPerRad,
+               row.position.apparent_elevation_rad * render::kDegPerRad, render::luminance(row.light.illuminance_rgb));
   }
 }
 
@@ -129,7 +129,8 @@ void run_sun_batch(std::istream& in, const std::string& name, std::ostream& out,
   while (csv.next()) {
     const double latitude_deg = csv.number("lat_deg");
     check_latitude(csv, latitude_deg);
-    const render::Place place{latitude_deg / kDegPerRad, csv.number("lon_deg") / kDegPerRad, csv.number("height_m")};
+    const render::Place place{latitude_deg / render::kDegPerRad, csv.number("lon_deg") / render::kDegPerRad,
+                              csv.number("height_m")};
     render::UtcTime time;
     try {
       time = ar::parse_time(csv.text("utc"));

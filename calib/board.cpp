@@ -184,4 +184,10 @@ int charuco_dictionary(const std::string& name) {
   return static_cast<int>(found - kDictionaries.begin());
 }
 
+cv::Vec3d middle_of(const Board& board) {
+  cv::Vec3d sum(0.0, 0.0, 0.0);
+  for (const cv::Vec3d& p : board.points) sum += p;
+  return sum / static_cast<double>(board.points.size());
+}
+
 }  // namespace calib

@@ -51,6 +51,8 @@ struct Board {
   double unit_m() const;
 };
 
+cv::Vec3d middle_of(const Board& board);  // of all points, metres
+
 // Inner corners row by row from the top left. Columns and rows >= 2, sizes > 0.
 Board make_chessboard(int columns, int rows, double square_width_m, double square_height_m);
 

@@ -9,15 +9,10 @@
 
 #include "ar/track/detector.h"
 #include "calib/board_finder.h"
+#include "calib/median.h"
 
 namespace calib {
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Pictures of a tag's corners by its index on the board.
 std::map<std::size_t, std::vector<cv::Point2d>> tags_in(const Board& board, const Sighting& view) {

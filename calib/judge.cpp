@@ -8,24 +8,12 @@
 
 #include "calib/cross_validation.h"
 #include "calib/findings.h"
+#include "calib/median.h"
 
 namespace calib {
 namespace {
 
 constexpr int kCellsAcross = 16;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-cv::Vec3d middle_of(const Board& board) {
-  cv::Vec3d sum(0.0, 0.0, 0.0);
-  for (const cv::Vec3d& p : board.points) sum += p;
-  return sum / static_cast<double>(board.points.size());
-}
 
 ViewGeometry geometry_of(const Board& board, const ViewFit& fit) {
   ViewGeometry out;

@@ -6,18 +6,9 @@
 #include <opencv2/calib3d.hpp>
 #include <vector>
 
+#include "calib/median.h"
+
 namespace calib {
-namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::infinity();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-}  // namespace
-
 double distance(const Looks& a, const Looks& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
@@ -33,7 +24,7 @@ double median_shift_px(const Sighting& a, const Sighting& b) {
       (a.points[i] < b.points[k] ? i : k) += 1;
     }
   }
-  return median(shifts);
+  return shifts.empty() ? std::numeric_limits<double>::infinity() : median(shifts);
 }
 
 Looks looks_of(const Board& board, const Sighting& view, double picture_px) {

@@ -15,7 +15,7 @@
 namespace calib {
 namespace {
 
-constexpr int kCellsAcross = 8;
+constexpr int kViewCellsAcross = 8;
 constexpr double kUsualFocal = 0.9;  // of the longer side: 58 degrees across
 constexpr double kNoisePx = 0.2;     // of a corner's coordinate
 constexpr double kAskedTiltRad = 0.6;
@@ -57,12 +57,6 @@ Tilt tilt_of(const cv::Vec3d& normal) {
   const double sign = normal[2] < 0.0 ? -1.0 : 1.0;
   if (std::abs(normal[0]) >= std::abs(normal[1])) return sign * normal[0] > 0.0 ? Tilt::RightNearer : Tilt::LeftNearer;
   return sign * normal[1] > 0.0 ? Tilt::BottomNearer : Tilt::TopNearer;
-}
-
-cv::Vec3d middle_of(const Board& board) {
-  cv::Vec3d sum(0.0, 0.0, 0.0);
-  for (const cv::Vec3d& p : board.points) sum += p / static_cast<double>(board.points.size());
-  return sum;
 }
 
 cv::Rect2d bounds_of(const std::vector<cv::Point2d>& px) {
@@ -145,7 +139,7 @@ struct NextView::Candidate {
 };
 
 NextView::NextView(const Board& board, int width, int height)
-    : board_(board), grid_(make_grid(width, height, kCellsAcross)) {
+    : board_(board), grid_(make_grid(width, height, kViewCellsAcross)) {
   const double focal = kUsualFocal * std::max(width, height);
   set_camera(camera_of(LensChoice::PlumbBob4, {focal, focal, 0.5 * (width - 1), 0.5 * (height - 1), 0.0, 0.0, 0.0, 0.0},
                        width, height));

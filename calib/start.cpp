@@ -7,6 +7,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "ar/track/lens.h"
+#include "calib/median.h"
 
 namespace calib {
 namespace {
@@ -38,12 +39,6 @@ std::vector<std::size_t> fullest_views(const Sightings& sightings) {
   });
   order.resize(std::min<std::size_t>(order.size(), 12));
   return order;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 double cost_of(const Board& board, const Sightings& sightings, const std::vector<std::size_t>& views,

@@ -9,6 +9,7 @@
 #include "ar/track/bent_edges.h"
 #include "ar/track/lens.h"
 #include "ar/track/solve.h"
+#include "calib/median.h"
 #include "calib/tag_bundle.h"
 #include "calib/tag_chain.h"
 
@@ -60,12 +61,6 @@ void straighten(TagBundle& bundle) {
     ar::straighten(lens, bundle.map_from_camera[seen.camera], tag);
     seen.px = tag.corners_px;
   }
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // Leaves out tags in pictures that are far off: more than a pixel and four times the usual.

@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-constexpr const char* kKeys =
+constexpr const char* kKeyHelp =
     "h  these keys\np  panel on and off\nf  full screen\ns  still picture\nw  write changes into the scene file\nq  "
     "quit";
 
@@ -191,7 +191,7 @@ void WindowPanel::draw_help() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2.0F, size.y / 2.0F}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::Begin("Keys", nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize);
-  ImGui::TextUnformatted(kKeys);
+  ImGui::TextUnformatted(kKeyHelp);
   ImGui::End();
 }
 

@@ -10,11 +10,11 @@
 
 #include "ar/error.h"
 #include "calib/camera_file.h"
+#include "render/sun/angles.h"
 
 namespace app {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 // Phones' main cameras film at 60 to 70 degrees along the longer side, webcams at 55 to 65.
 constexpr double kUsualLongFovDeg = 62.0;
 
@@ -27,7 +27,7 @@ double aspect_of_pixels(const ar::SourceInfo& source) {
 double usual_horizontal_fov_rad(const ar::SourceInfo& source) {
   const double width = source.format.width * aspect_of_pixels(source);
   const double longer = std::max<double>(width, source.format.height);
-  return 2.0 * std::atan(width / longer * std::tan(0.5 * kUsualLongFovDeg * kRadPerDeg));
+  return 2.0 * std::atan(width / longer * std::tan(0.5 * kUsualLongFovDeg * render::kRadPerDeg));
 }
 
 ar::CameraModel from_file(const CameraChoice& choice, const ar::SourceInfo& source) {
@@ -59,8 +59,8 @@ ar::CameraModel choose_camera(const CameraChoice& choice, const ar::SourceInfo& 
                  camera.intrinsics(1, 1));
     return camera;
   }
-  const double fov_rad = choice.fov_deg ? *choice.fov_deg * kRadPerDeg : usual_horizontal_fov_rad(source);
-  const std::string assumed = fmt::format("no lens distortion, {:.1f} degrees across", fov_rad / kRadPerDeg);
+  const double fov_rad = choice.fov_deg ? *choice.fov_deg * render::kRadPerDeg : usual_horizontal_fov_rad(source);
+  const std::string assumed = fmt::format("no lens distortion, {:.1f} degrees across", fov_rad / render::kRadPerDeg);
   if (choice.fov_deg) {
     spdlog::info("camera assumed: {} (--fov)", assumed);
   } else {

@@ -6,11 +6,10 @@
 
 #include "app/scene_file/sections.h"
 #include "app/words.h"
+#include "render/sun/angles.h"
 
 namespace app {
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 const std::vector<std::string>& sky_models() {
   static const std::vector<std::string> models{"perez",      "preetham",  "preetham:rescaled", "cie:1 ... cie:15",
@@ -139,7 +138,7 @@ SceneSun read_sun(const YamlValue& value) {
   if (map.find("azimuth_deg") || map.find("elevation_deg")) {
     sun.azimuth_rad = read_heading_rad(map.require("azimuth_deg", "degrees clockwise from north, -360 to 360"));
     const std::string accepted = "degrees above the horizon, -90 to 90";
-    sun.elevation_rad = kRadPerDeg * map.require("elevation_deg", accepted).number(accepted, [](double x) {
+    sun.elevation_rad = render::kRadPerDeg * map.require("elevation_deg", accepted).number(accepted, [](double x) {
       return std::abs(x) <= 90.0;
     });
   }
@@ -153,7 +152,7 @@ SceneSun read_sun(const YamlValue& value) {
   }
   if (const auto radius = map.find("angular_radius_deg")) {
     sun.angular_radius_rad =
-        kRadPerDeg * radius->number("degrees from 0 to 10", [](double x) { return x >= 0.0 && x <= 10.0; });
+        render::kRadPerDeg * radius->number("degrees from 0 to 10", [](double x) { return x >= 0.0 && x <= 10.0; });
   }
   return sun;
 }

@@ -10,11 +10,10 @@
 #include "app/options/shafts.h"
 #include "app/scene_file/sections.h"
 #include "ar/error.h"
+#include "render/sun/angles.h"
 
 namespace app {
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 std::shared_ptr<const render::Model> read_model(const YamlValue& value) {
   const std::filesystem::path path = value.resolve(value.text("the path of a .glb or .gltf file"));
@@ -71,7 +70,7 @@ SceneThing read_placed_model(const YamlMap& map) {
 }  // namespace
 
 double read_heading_rad(const YamlValue& value) {
-  return kRadPerDeg *
+  return render::kRadPerDeg *
          value.number("degrees clockwise from north, -360 to 360", [](double x) { return std::abs(x) <= 360.0; });
 }
 
@@ -106,7 +105,7 @@ SceneView read_view(const YamlValue& value) {
   view.target_in_world = read_position(target);
   if (const auto up = map.find("up")) view.up_in_world = up->vector3("a direction [east, north, up]");
   const std::string accepted = "degrees above 0 and below 180";
-  view.vertical_fov_rad = kRadPerDeg * map.require("vertical_fov_deg", accepted).number(accepted, [](double x) {
+  view.vertical_fov_rad = render::kRadPerDeg * map.require("vertical_fov_deg", accepted).number(accepted, [](double x) {
     return x > 0.0 && x < 180.0;
   });
   const glm::dvec3 forward = view.target_in_world - view.eye_in_world;

@@ -12,15 +12,13 @@ namespace app::synth {
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
-
 glm::vec3 direction_of(float azimuth, float elevation) {
   return {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation), std::sin(elevation)};
 }
 
 // Noise on the circle of azimuths: sampled on a ring in the plane, so that north has no seam.
 float ring_noise(float azimuth, float features, int octaves, std::uint32_t seed) {
-  const float radius = features / (2.0F * kPi);
+  const float radius = features / (2.0F * std::numbers::pi_v<float>);
   return fractal_noise(glm::vec2(std::cos(azimuth), std::sin(azimuth)) * radius + 200.0F, octaves, seed);
 }
 
@@ -40,7 +38,7 @@ void Backdrop::find_seen_columns(const Gaze& gaze) {
   constexpr int kStrip = 64;
   seen_.assign(kWidth, 0);
   for (int x = 0; x < kWidth; x += kStrip) {
-    const float azimuth = 2.0F * kPi * (static_cast<float>(x) + 0.5F * kStrip) / kWidth;
+    const float azimuth = 2.0F * std::numbers::pi_v<float> * (static_cast<float>(x) + 0.5F * kStrip) / kWidth;
     bool seen = false;
     for (float elevation = 0.0F; elevation < 0.75F; elevation += 0.1F)  // -2 to 38 degrees
       seen = seen || gaze.sees_far(direction_of(azimuth, elevation), 0.1F);
@@ -49,8 +47,8 @@ void Backdrop::find_seen_columns(const Gaze& gaze) {
 }
 
 glm::vec3 Backdrop::sky(float azimuth, float elevation) const {
-  const float x = azimuth / (2.0F * kPi) * kSkyWidth;
-  const float y = glm::clamp(elevation / (0.5F * kPi), 0.0F, 1.0F) * (kSkyHeight - 1);
+  const float x = azimuth / (2.0F * std::numbers::pi_v<float>)*kSkyWidth;
+  const float y = glm::clamp(elevation / (0.5F * std::numbers::pi_v<float>), 0.0F, 1.0F) * (kSkyHeight - 1);
   const float xf = std::floor(x);
   const int y0 = std::min(static_cast<int>(y), kSkyHeight - 2);
   const auto at = [&](int dx, int dy) {
@@ -65,10 +63,11 @@ glm::vec3 Backdrop::sky(float azimuth, float elevation) const {
 void Backdrop::bake_sky(const Spec& spec, const Light& light) {
   sky_.resize(static_cast<std::size_t>(kSkyWidth) * kSkyHeight);
   parallel_for(kSkyHeight, [&](int y) {
-    const float elevation = std::max(0.5F * kPi * static_cast<float>(y) / (kSkyHeight - 1), 0.008F);
+    const float elevation =
+        std::max(0.5F * std::numbers::pi_v<float> * static_cast<float>(y) / (kSkyHeight - 1), 0.008F);
     for (int x = 0; x < kSkyWidth; ++x) {
-      sky_[static_cast<std::size_t>(y * kSkyWidth + x)] =
-          light.sky_luminance(direction_of(2.0F * kPi * static_cast<float>(x) / kSkyWidth, elevation));
+      sky_[static_cast<std::size_t>(y * kSkyWidth + x)] = light.sky_luminance(
+          direction_of(2.0F * std::numbers::pi_v<float> * static_cast<float>(x) / kSkyWidth, elevation));
     }
   });
   if (!spec.horizon && spec.clouds <= 0.0) return;  // the coarse sky says it all
@@ -76,10 +75,10 @@ void Backdrop::bake_sky(const Spec& spec, const Light& light) {
   const auto cover = static_cast<float>(spec.clouds);
   const glm::vec3 sun = light.sun_direction();
   parallel_for(kHeight, [&](int y) {
-    const float elevation = static_cast<float>(y - kBelow) * 2.0F * kPi / kWidth;
+    const float elevation = static_cast<float>(y - kBelow) * 2.0F * std::numbers::pi_v<float> / kWidth;
     for (int x = 0; x < kWidth; ++x) {
       if (seen_[static_cast<std::size_t>(x)] == 0) continue;
-      const float azimuth = 2.0F * kPi * (static_cast<float>(x) + 0.5F) / kWidth;
+      const float azimuth = 2.0F * std::numbers::pi_v<float> * (static_cast<float>(x) + 0.5F) / kWidth;
       glm::vec3 radiance = sky(azimuth, std::max(elevation, 0.0F));
       if (cover > 0.0F && elevation > 0.01F) {  // cirrus: a thin sheet seen along its slant
         const glm::vec3 d = direction_of(azimuth, elevation);
@@ -113,13 +112,13 @@ void Backdrop::bake_hills(const Spec& spec, const Light& light) {
     const float clear = std::exp(-2.2F * ridge.distance_m / visibility_m);
     parallel_for(kWidth, [&](int x) {
       if (seen_[static_cast<std::size_t>(x)] == 0) return;
-      const float azimuth = 2.0F * kPi * (static_cast<float>(x) + 0.5F) / kWidth;
+      const float azimuth = 2.0F * std::numbers::pi_v<float> * (static_cast<float>(x) + 0.5F) / kWidth;
       const float rise = ring_noise(azimuth, ridge.features, ridge.octaves, seed);
       const float bush = ring_noise(azimuth, 1400.0F, 3, seed + 50U) - 0.5F;
       const float top =
-          (ridge.mean_deg + ridge.swing_deg * (2.0F * rise - 1.0F) + 60.0F / ridge.distance_m * 9.0F * bush) * kPi /
-          180.0F;
-      const float top_row = top * kWidth / (2.0F * kPi) + kBelow;
+          (ridge.mean_deg + ridge.swing_deg * (2.0F * rise - 1.0F) + 60.0F / ridge.distance_m * 9.0F * bush) *
+          std::numbers::pi_v<float> / 180.0F;
+      const float top_row = top * kWidth / (2.0F * std::numbers::pi_v<float>)+kBelow;
       const glm::vec3 air = sky(azimuth, 0.02F) * 0.92F;
       for (int y = 0; y < std::min(kHeight, static_cast<int>(top_row) + 1); ++y) {
         const float depth = top_row - static_cast<float>(y);
@@ -127,9 +126,9 @@ void Backdrop::bake_hills(const Spec& spec, const Light& light) {
         const glm::vec2 at(azimuth * ridge.features * 4.0F, static_cast<float>(y) * 0.06F);
         const float woods = fractal_noise(at * glm::vec2(3.0F, 1.6F), 5, seed + 90U, 0.6F);
         const glm::vec3 albedo = glm::mix(glm::vec3(0.035F, 0.052F, 0.026F), glm::vec3(0.13F, 0.12F, 0.065F), woods);
-        const glm::vec3 facing = direction_of(azimuth + kPi + 1.6F * (woods - 0.5F), 0.5F);
+        const glm::vec3 facing = direction_of(azimuth + std::numbers::pi_v<float> + 1.6F * (woods - 0.5F), 0.5F);
         const glm::vec3 lit =
-            albedo / kPi *
+            albedo / std::numbers::pi_v<float> *
             (light.sun_illuminance() * std::max(glm::dot(facing, sun_flat), 0.03F) + light.sky_illuminance(facing));
         texel(x, y) = glm::mix(texel(x, y), glm::mix(air, lit, clear), cover);
       }
@@ -142,18 +141,18 @@ void Backdrop::bake_meadow(const Spec& spec, const Light& light) {
   const glm::vec3 up(0.0F, 0.0F, 1.0F);
   const glm::vec3 lux = light.sun_illuminance() * std::max(light.sun_direction().z, 0.0F) + light.sky_illuminance(up);
   parallel_for(kBelow, [&](int y) {
-    const float down = (static_cast<float>(kBelow - y) - 0.5F) * 2.0F * kPi / kWidth;
+    const float down = (static_cast<float>(kBelow - y) - 0.5F) * 2.0F * std::numbers::pi_v<float> / kWidth;
     const float distance_m = std::min(1.6F / down, 400.0F);
     for (int x = 0; x < kWidth; ++x) {
       if (seen_[static_cast<std::size_t>(x)] == 0) continue;
-      const float azimuth = 2.0F * kPi * (static_cast<float>(x) + 0.5F) / kWidth;
+      const float azimuth = 2.0F * std::numbers::pi_v<float> * (static_cast<float>(x) + 0.5F) / kWidth;
       const glm::vec2 at = glm::vec2(std::sin(azimuth), std::cos(azimuth)) * distance_m;
       const float dry = fractal_noise(at * 0.05F, 4, spec.seed + 650U);
       const float tuft = fractal_noise(at * 0.7F, 3, spec.seed + 651U);
       const glm::vec3 albedo =
           glm::mix(glm::vec3(0.050F, 0.080F, 0.022F), glm::vec3(0.15F, 0.14F, 0.065F), dry) * (0.55F + 0.9F * tuft);
       const float haze = 1.0F - std::exp(-distance_m / 900.0F);
-      texel(x, y) = glm::mix(albedo * lux / kPi, 0.85F * sky(azimuth, 0.03F), haze);
+      texel(x, y) = glm::mix(albedo * lux / std::numbers::pi_v<float>, 0.85F * sky(azimuth, 0.03F), haze);
     }
   });
 }
@@ -165,7 +164,7 @@ void Backdrop::bake_trees(const Spec& spec, const Light& light) {
   Random random(spec.seed + 700U);
   const int count = 340;
   for (int sector = 0; sector < kSectors; ++sector) {  // light falls differently on trees in different directions
-    const float middle = 2.0F * kPi * (static_cast<float>(sector) + 0.5F) / kSectors;
+    const float middle = 2.0F * std::numbers::pi_v<float> * (static_cast<float>(sector) + 0.5F) / kSectors;
     struct Stand {
       float azimuth, distance_m;
       int kind;
@@ -173,14 +172,16 @@ void Backdrop::bake_trees(const Spec& spec, const Light& light) {
     };
     std::vector<Stand> stands;
     for (int i = 0; i < count / kSectors; ++i) {
-      const float azimuth = middle + random.between(-0.5F, 0.5F) * 2.0F * kPi / kSectors;
+      const float azimuth = middle + random.between(-0.5F, 0.5F) * 2.0F * std::numbers::pi_v<float> / kSectors;
       const float wood = ring_noise(azimuth, 22.0F, 3, spec.seed + 720U);
       if (wood < 0.40F) continue;
       stands.push_back({azimuth, random.between(62.0F, 170.0F),
                         random.next() < 0.16F ? 3 : static_cast<int>(random.next() * 3.0F), random.next() < 0.5F});
     }
     const auto in_sight = [&](int column) { return seen_[static_cast<std::size_t>((column + kWidth) % kWidth)] != 0; };
-    const auto column_at = [](float azimuth) { return static_cast<int>(azimuth / (2.0F * kPi) * kWidth); };
+    const auto column_at = [](float azimuth) {
+      return static_cast<int>(azimuth / (2.0F * std::numbers::pi_v<float>)*kWidth);
+    };
     constexpr int kHalfTree = 120;  // columns, of the widest and nearest
     std::erase_if(stands, [&](const Stand& stand) {
       const int column = column_at(stand.azimuth);
@@ -201,10 +202,11 @@ void Backdrop::bake_trees(const Spec& spec, const Light& light) {
     const glm::vec3 air = sky(middle, 0.03F) * 0.85F;
     for (const Stand& stand : stands) {
       const Painting& tree = kinds[static_cast<std::size_t>(stand.kind)];
-      const float scale =
-          kTexelsPerMetre * stand.distance_m * 2.0F * kPi / kWidth;  // painting's texels a panorama texel
+      const float scale = kTexelsPerMetre * stand.distance_m * 2.0F * std::numbers::pi_v<float> /
+                          kWidth;  // painting's texels a panorama texel
       const float haze = 1.0F - std::exp(-stand.distance_m / 900.0F);
-      const float foot = static_cast<float>(kBelow) - 1.6F / stand.distance_m * kWidth / (2.0F * kPi);
+      const float foot =
+          static_cast<float>(kBelow) - 1.6F / stand.distance_m * kWidth / (2.0F * std::numbers::pi_v<float>);
       const int wide = static_cast<int>(static_cast<float>(tree.width) / scale);
       const int tall = static_cast<int>(static_cast<float>(tree.height) / scale);
       const int left = column_at(stand.azimuth) - wide / 2;
@@ -227,9 +229,9 @@ void Backdrop::bake_trees(const Spec& spec, const Light& light) {
 glm::vec3 Backdrop::luminance(const glm::vec3& direction) const {
   const float azimuth = std::atan2(direction.x, direction.y);
   const float elevation = std::asin(glm::clamp(direction.z, -1.0F, 1.0F));
-  const float y = elevation * kWidth / (2.0F * kPi) + kBelow;
+  const float y = elevation * kWidth / (2.0F * std::numbers::pi_v<float>)+kBelow;
   if (panorama_.empty() || y >= kHeight - 1) return sky(azimuth, elevation);
-  const float x = azimuth / (2.0F * kPi) * kWidth - 0.5F + kWidth;
+  const float x = azimuth / (2.0F * std::numbers::pi_v<float>)*kWidth - 0.5F + kWidth;
   const int column = floor_of(x);
   const float yc = std::max(y, 0.0F);
   const int x0 = column % kWidth;

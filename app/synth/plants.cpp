@@ -12,8 +12,6 @@ namespace app::synth {
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
-
 // A leaf or a short piece of a twig, in the plant's frame: x east, y north, z up, origin at the foot.
 struct Leaf {
   glm::vec3 place{0.0F};
@@ -64,7 +62,7 @@ class Density {
 
 glm::vec3 any_direction(Random& random) {
   const float z = random.between(-1.0F, 1.0F);
-  const float turn = random.between(0.0F, 2.0F * kPi);
+  const float turn = random.between(0.0F, 2.0F * std::numbers::pi_v<float>);
   const float r = std::sqrt(std::max(0.0F, 1.0F - z * z));
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
@@ -99,10 +97,11 @@ void grow_wood(std::vector<Leaf>& leaves, glm::vec3 from, glm::vec3 to, float ra
     const float t = (static_cast<float>(i) + 0.5F) / static_cast<float>(pieces);
     const float radius = glm::mix(radius_from, radius_to, t);
     for (int k = 0; k < 7; ++k) {  // strips of bark around the stem
-      const float turn = 2.0F * kPi * (static_cast<float>(k) + 0.3F * random.next()) / 7.0F;
+      const float turn = 2.0F * std::numbers::pi_v<float> * (static_cast<float>(k) + 0.3F * random.next()) / 7.0F;
       Leaf piece;
       piece.normal = {std::cos(turn), std::sin(turn), 0.15F};
-      piece.place = glm::mix(from, to, t) + bend * (0.05F * length * std::sin(kPi * t)) + 0.75F * radius * piece.normal;
+      piece.place = glm::mix(from, to, t) + bend * (0.05F * length * std::sin(std::numbers::pi_v<float> * t)) +
+                    0.75F * radius * piece.normal;
       piece.along = (to - from) * (0.8F / static_cast<float>(pieces));
       piece.half_width_m = 0.55F * radius;
       piece.albedo = glm::vec3(0.17F, 0.14F, 0.11F) * random.between(0.6F, 1.25F);
@@ -119,7 +118,7 @@ std::vector<Leaf> grow_cypress(const PlantSpec& plant, Random& random) {
   const int count = static_cast<int>(9000.0F * height * half / 1.2F) + 4000;
   for (int i = 0; i < count; ++i) {
     const float t = std::pow(random.next(), 0.9F);
-    const float turn = random.between(0.0F, 2.0F * kPi);
+    const float turn = random.between(0.0F, 2.0F * std::numbers::pi_v<float>);
     const float profile = std::pow(std::max(1.0F - t, 0.0F), 0.55F) * smooth_ramp(-0.12F, 0.16F, t);
     const float flame = 0.78F + 0.44F * fractal_noise({turn * 2.2F + 9.0F, t * height * 1.6F}, 4, 77U);
     const float r = half * profile * flame * std::sqrt(random.between(0.35F, 1.0F));
@@ -166,7 +165,7 @@ std::vector<Leaf> grow_clump(const PlantSpec& plant, bool flowers, Random& rando
   std::vector<Leaf> leaves;
   const int stems = static_cast<int>(420.0F + 1500.0F * half);
   for (int i = 0; i < stems; ++i) {
-    const float turn = random.between(0.0F, 2.0F * kPi);
+    const float turn = random.between(0.0F, 2.0F * std::numbers::pi_v<float>);
     const float r = std::sqrt(random.next());
     const glm::vec3 out(std::cos(turn), std::sin(turn), 0.0F);
     const glm::vec3 foot = out * (0.45F * half * r);
@@ -290,7 +289,7 @@ Painting paint_plant(const PlantSpec& plant, const glm::vec2& view, const Light&
         static_cast<float>(canvas.height) - leaf.place.z * texels_per_m);
     const glm::vec2 along(glm::dot(glm::vec2(leaf.along), right) * texels_per_m, -leaf.along.z * texels_per_m);
     const float facing = 0.35F + 0.65F * std::abs(glm::dot(leaf.normal, towards_eye));
-    splat(canvas, centre, along, leaf.half_width_m * facing * texels_per_m, radiance / kPi);
+    splat(canvas, centre, along, leaf.half_width_m * facing * texels_per_m, radiance / std::numbers::pi_v<float>);
   }
   canvas.build_levels();
   return canvas;

@@ -10,8 +10,6 @@ namespace app::synth {
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
-
 glm::mat3 to_glm(const cv::Matx33d& m) {
   glm::mat3 out;
   for (int row = 0; row < 3; ++row)
@@ -162,7 +160,8 @@ void World::bake_openness(const glm::vec2& centre) {
       float open = 0.0F;
       for (int i = 0; i < kRays; ++i) {
         const float r2 = (static_cast<float>(i) + random.next()) / kRays;
-        const float turn = 2.0F * kPi * (static_cast<float>(i) * 0.618034F + random.next() / kRays);
+        const float turn =
+            2.0F * std::numbers::pi_v<float> * (static_cast<float>(i) * 0.618034F + random.next() / kRays);
         const glm::vec3 d(std::sqrt(r2) * std::cos(turn), std::sqrt(r2) * std::sin(turn), std::sqrt(1.0F - r2));
         float seen = 1.0F;
         for (const Block& block : blocks_) {

@@ -9,7 +9,6 @@ namespace app::synth {
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kNever = 1e30F;
 constexpr float kFarGroundM = 60.0F;  // beyond it the backdrop has the ground
 
@@ -74,7 +73,7 @@ float World::sun_seen(const glm::vec3& point, Random& random) const {
   if (!(g.x >= 0.0F && g.y >= 0.0F && g.x < kGrid && g.y < kGrid)) return 1.0F;
   const auto& casters = grid_[static_cast<std::size_t>(static_cast<int>(g.y) * kGrid + static_cast<int>(g.x))];
   if (casters.empty()) return 1.0F;
-  const float turn = 2.0F * kPi * random.next();
+  const float turn = 2.0F * std::numbers::pi_v<float> * random.next();
   const float radius = light_.sun_radius_rad() * std::sqrt(random.next());
   const glm::vec3 towards =
       light_.sun_direction() + radius * (std::cos(turn) * across_sun_ + std::sin(turn) * above_sun_);
@@ -122,7 +121,7 @@ Radiance World::shade(const SurfacePoint& surface, const glm::mat3& frame, const
       out += light_.sun_illuminance() * (surface.gloss * lit * 3.0F * lobe * cosine * fresnel(glm::dot(half, to_eye)));
     out += sky * (0.5F * surface.gloss * fresnel(glm::dot(normal, to_eye) + 0.12F));
   }
-  return {.luminance_rgb = out / kPi, .sun_share = lit};
+  return {.luminance_rgb = out / std::numbers::pi_v<float>, .sun_share = lit};
 }
 
 float World::sky_open_at(const glm::vec3& point, const glm::vec3& normal) const {

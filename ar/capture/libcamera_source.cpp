@@ -31,7 +31,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr milliseconds kFirstPicture{5000};  // a camera may take seconds to start
+constexpr milliseconds kFirstRequest{5000};  // a camera may take seconds to start
 
 class LibcameraSource : public LiveSource {
  public:
@@ -226,14 +226,14 @@ void LibcameraSource::give_back(libcamera::Request& request) {
 
 // Only its first picture says how a compressed stream is sampled.
 void LibcameraSource::await_first_picture() {
-  const auto end = steady_clock::now() + kFirstPicture;
+  const auto end = steady_clock::now() + kFirstRequest;
   while (!first_) {
     libcamera::Request* request = completed_.wait_until(end);
     if (request == nullptr) {
       throw InputError(
           fmt::format("cannot use {}: it gave no whole picture in {} s\nPlug it in again, or ask for "
                       "another format.",
-                      camera_->id(), kFirstPicture.count() / 1000));
+                      camera_->id(), kFirstRequest.count() / 1000));
     }
     first_ = frame_in(*request);
     give_back(*request);

@@ -11,7 +11,7 @@
 namespace ar {
 namespace {
 
-[[noreturn]] void refuse(const std::string& text, const std::string& why) {
+[[noreturn]] void refuse_position(const std::string& text, const std::string& why) {
   throw std::invalid_argument(
       fmt::format("position '{}': {}\naccepted: LATITUDE,LONGITUDE[,HEIGHT] in degrees (north and east positive) and "
                   "metres, such as 48.8584,2.2945,35",
@@ -76,19 +76,20 @@ std::optional<double> degrees_of(const SignedField& field, std::size_t degree_di
 
 GeoPosition parse_position(const std::string& text) {
   const std::vector<std::string_view> parts = split(text, ',');
-  if (parts.size() != 2 && parts.size() != 3) refuse(text, fmt::format("{} numbers where 2 or 3 belong", parts.size()));
+  if (parts.size() != 2 && parts.size() != 3)
+    refuse_position(text, fmt::format("{} numbers where 2 or 3 belong", parts.size()));
   std::vector<double> values;
   for (std::string_view part : parts) {
     const std::optional<double> value = parse_number(trimmed(part));
-    if (!value) refuse(text, fmt::format("'{}' is no number", part));
+    if (!value) refuse_position(text, fmt::format("'{}' is no number", part));
     values.push_back(*value);
   }
   const GeoPosition position{values[0], values[1], values.size() == 3 ? values[2] : 0.0};
   if (std::abs(position.latitude_deg) > 90.0) {
-    refuse(text, fmt::format("latitude {} is not within -90 ... 90", position.latitude_deg));
+    refuse_position(text, fmt::format("latitude {} is not within -90 ... 90", position.latitude_deg));
   }
   if (std::abs(position.longitude_deg) > 180.0) {
-    refuse(text, fmt::format("longitude {} is not within -180 ... 180", position.longitude_deg));
+    refuse_position(text, fmt::format("longitude {} is not within -180 ... 180", position.longitude_deg));
   }
   return position;
 }

@@ -12,7 +12,7 @@ namespace {
 
 using std::chrono::microseconds;
 
-[[noreturn]] void refuse(const std::string& text, const std::string& why) {
+[[noreturn]] void refuse_time(const std::string& text, const std::string& why) {
   throw std::invalid_argument(
       fmt::format("time '{}': {}\naccepted: ISO 8601 with a time zone, such as 2024-06-21T07:30:00Z or "
                   "2024-06-21T09:30+02:00",
@@ -33,20 +33,20 @@ class Reader {
   }
 
   void expect(std::string_view any_of, const std::string& where) {
-    if (!take(any_of)) refuse(text_, fmt::format("'{}' expected {}, found '{}'", any_of[0], where, rest_));
+    if (!take(any_of)) refuse_time(text_, fmt::format("'{}' expected {}, found '{}'", any_of[0], where, rest_));
   }
 
   int digits(std::size_t count, int low, int high, const char* what) {
     int value = 0;
     for (std::size_t i = 0; i < count; ++i) {
       if (i >= rest_.size() || rest_[i] < '0' || rest_[i] > '9') {
-        refuse(text_, fmt::format("{} digits expected for the {}, found '{}'", count, what, rest_));
+        refuse_time(text_, fmt::format("{} digits expected for the {}, found '{}'", count, what, rest_));
       }
       value = 10 * value + (rest_[i] - '0');
     }
     rest_.remove_prefix(count);
     if (value < low || value > high)
-      refuse(text_, fmt::format("{} {} is not within {} ... {}", what, value, low, high));
+      refuse_time(text_, fmt::format("{} {} is not within {} ... {}", what, value, low, high));
     return value;
   }
 
@@ -57,7 +57,7 @@ class Reader {
     for (; count < rest_.size() && rest_[count] >= '0' && rest_[count] <= '9'; ++count) {
       if (count < 6) value = 10 * value + (rest_[count] - '0');
     }
-    if (count == 0) refuse(text_, "digits expected after the decimal point of the second");
+    if (count == 0) refuse_time(text_, "digits expected after the decimal point of the second");
     for (std::size_t i = count; i < 6; ++i) value *= 10;
     rest_.remove_prefix(count);
     return microseconds(value);
@@ -68,8 +68,8 @@ class Reader {
     if (take("Zz")) return std::chrono::minutes(0);
     const bool west = !rest_.empty() && rest_[0] == '-';
     if (!take("+-")) {
-      refuse(text_,
-             "no time zone: add Z for UTC, or an offset such as +02:00, because a local time alone is ambiguous");
+      refuse_time(text_,
+                  "no time zone: add Z for UTC, or an offset such as +02:00, because a local time alone is ambiguous");
     }
     const int hours = digits(2, 0, 18, "offset's hour");
     int minutes = 0;
@@ -117,17 +117,17 @@ UtcTime parse_time(const std::string& text) {
   const int day = in.digits(2, 1, 31, "day");
   const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
                                          std::chrono::day(static_cast<unsigned>(day))};
-  if (!date.ok()) refuse(text, fmt::format("{:04}-{:02} has no day {}", year, month, day));
+  if (!date.ok()) refuse_time(text, fmt::format("{:04}-{:02} has no day {}", year, month, day));
   in.expect("Tt ", "between date and time");
   const Clock clock = read_clock(in);
   const UtcTime time = std::chrono::sys_days(date) + clock.of_day - in.offset();
-  if (!in.done()) refuse(text, "something follows the time zone");
+  if (!in.done()) refuse_time(text, "something follows the time zone");
   if (clock.leap_second) {
     const auto midnight = std::chrono::floor<std::chrono::days>(time);
     const std::chrono::year_month_day after{midnight};
     const bool possible = time == midnight && after.day() == std::chrono::day(1) &&
                           (after.month() == std::chrono::January || after.month() == std::chrono::July);
-    if (!possible) refuse(text, "second 60 exists only as 23:59:60 UTC on 30 June or 31 December");
+    if (!possible) refuse_time(text, "second 60 exists only as 23:59:60 UTC on 30 June or 31 December");
   }
   return time + clock.fraction;
 }

@@ -15,13 +15,13 @@
 #include <string>
 
 #include "render/scene/image_io.h"
+#include "render/scene/picture_limits.h"
 #include "render/scene/whole_file.h"
 
 namespace render {
 namespace {
 
 // A broken header must not claim the machine's memory: 2^28 pixels are 3 GiB of floats.
-constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
 
 class MemoryIn : public Imf::IStream {
  public:

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "render/scene/image_io.h"
+#include "render/scene/picture_limits.h"
 
 namespace render {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 constexpr int kRgba = 4;
 constexpr int kRgb = 3;
 // A texture of 16384 x 16384 is as large as GPUs take; a broken header must not claim the machine's memory.
-constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
 
 void append(void* bytes, void* data, int size) {
   const auto* begin = static_cast<const std::uint8_t*>(data);

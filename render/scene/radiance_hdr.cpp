@@ -10,12 +10,12 @@
 #include <string_view>
 
 #include "render/scene/image_io.h"
+#include "render/scene/picture_limits.h"
 #include "render/scene/whole_file.h"
 
 namespace render {
 namespace {
 
-constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
 constexpr int kExponentBias = 128;
 constexpr int kMantissaBits = 8;
 constexpr std::size_t kMinRun = 4;  // shorter runs cost more than they save

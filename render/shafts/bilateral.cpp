@@ -3,7 +3,6 @@
 namespace render {
 
 void Bilateral::draw_small(const ShaftInputs& inputs, const glm::ivec2& small_px) {
-  constexpr int kMapUnit = 8;
   if (small_.width() != small_px.x || small_.height() != small_px.y) {
     small_ = gl::Texture(GL_RG32F, small_px.x, small_px.y, gl::Filter::Nearest, 1, "lit part of the sunlight, small");
     to_small_ = gl::Framebuffer({&small_}, nullptr, "lit part of the sunlight, small");

@@ -12,6 +12,9 @@
 
 namespace render {
 
+// The texture unit where techniques bind it, beside those of AirProgram.
+inline constexpr int kMapUnit = 8;
+
 // What a march along view rays looks up: the first caster of any kind on the light's way, cut to where the medium can
 // be shaded. Made anew when a shadow map or the medium's box has changed.
 class CasterMap {

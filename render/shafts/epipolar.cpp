@@ -8,7 +8,6 @@ namespace {
 
 constexpr int kSamplesUnit = 1;
 constexpr int kTreesUnit = 2;  // and two more
-constexpr int kMapUnit = 8;
 constexpr float kDepthTolerance = 0.02F;
 constexpr double kCloseLinesPx = 1.0;
 

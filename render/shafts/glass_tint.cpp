@@ -5,7 +5,6 @@ namespace {
 
 constexpr int kPictureUnit = 1;
 constexpr int kGlassUnit = 2;  // and 3
-constexpr int kMapUnit = 8;
 // Through the light behind the panes alone, which is seldom many metres: its edges are as sharp as a march of many
 // times as many steps along whole rays makes them.
 constexpr int kSteps = 128;

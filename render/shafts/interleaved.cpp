@@ -3,7 +3,6 @@
 namespace render {
 namespace {
 
-constexpr int kMapUnit = 8;
 constexpr int kTilePx = 4;
 
 // The march takes its full number of steps across the medium's longest way, and fewer on shorter ones.

@@ -17,7 +17,6 @@ void MarchSteps::set(const gl::Program& program) const {
 }
 
 const ShaftPicture& March::draw(const ShaftInputs& inputs) {
-  constexpr int kMapUnit = 8;
   const std::vector<AirPart> parts = inputs.parts();
   while (casters_.size() < parts.size()) casters_.emplace_back(1);
   for (std::size_t i = 0; i < parts.size(); ++i) casters_[i].update(inputs, *parts[i].maps);

@@ -11,7 +11,6 @@
 namespace render {
 namespace {
 
-constexpr int kMapUnit = 8;
 constexpr int kLargestNode = 1024;       // cells; the smallest has 16, each level four times as many as the one below
 constexpr double kDepthSteps = 65534.0;  // leaves.frag keeps depth in 16 bits
 

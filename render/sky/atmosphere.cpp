@@ -12,7 +12,6 @@
 namespace render {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kMolecularScaleM = 8000.0;
 constexpr double kAerosolScaleM = 1200.0;
 constexpr double kAerosolAlbedo = 0.92;    // continental average (OPAC, Hess 1998)
@@ -45,7 +44,7 @@ double visible_disc(double radius_m, double mu) {
   const double horizon = -height_of_horizon(radius_m) / radius_m;  // cosine of the horizon's zenith angle
   const double elevation = std::asin(std::clamp(mu, -1.0, 1.0)) - std::asin(horizon);
   const double x = std::clamp(elevation / kSunRadiusRad, -1.0, 1.0);
-  return 0.5 + (std::asin(x) + x * std::sqrt(1.0 - x * x)) / kPi;
+  return 0.5 + (std::asin(x) + x * std::sqrt(1.0 - x * x)) / std::numbers::pi;
 }
 
 std::size_t cell_index(int row, int column, int columns) {
@@ -230,7 +229,7 @@ Bands Atmosphere::scatter_twice(double radius_m, double mu) const {
   const glm::dvec3 sun(std::sqrt(std::max(1.0 - mu * mu, 0.0)), 0.0, mu);
   for (int k = 0; k < kDirections; ++k) {
     const double z = 1.0 - 2.0 * (k + 0.5) / kDirections;
-    const double azimuth = k * kPi * (3.0 - std::sqrt(5.0));  // golden angle: even over the sphere
+    const double azimuth = k * std::numbers::pi * (3.0 - std::sqrt(5.0));  // golden angle: even over the sphere
     const double radius = std::sqrt(1.0 - z * z);
     const glm::dvec3 view(radius * std::cos(azimuth), radius * std::sin(azimuth), z);
     const Reach ray = reach(radius_m, z);
@@ -251,7 +250,7 @@ Bands Atmosphere::scatter_twice(double radius_m, double mu) const {
       const Bands sunlit = sunlight(here, sun_mu);
       if (ground) {
         for (std::size_t i = 0; i < kBandCount; ++i) {
-          light[i] += through[i] * ground_albedo_ / kPi * std::max(sun_mu, 0.0) * sunlit[i] / kDirections;
+          light[i] += through[i] * ground_albedo_ / std::numbers::pi * std::max(sun_mu, 0.0) * sunlit[i] / kDirections;
         }
         break;
       }

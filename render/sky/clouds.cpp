@@ -16,7 +16,6 @@
 namespace render {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kEarthRadiusM = 6371000.0;
 constexpr double kHazeM = 45000.0;        // clouds farther than that take on the sky's own colour
 constexpr double kResolutionRad = 0.002;  // finer detail is left out
@@ -102,7 +101,7 @@ class CloudySky final : public SkyModel {
     // The underside darkens towards the horizon as a standard overcast does (Moon & Spencer 1942).
     const double gradation = (1.0 + 2.0 * view.z) / 3.0 * 9.0 / 7.0;
     const double thick = 1.0 - std::exp(-0.2 * depth);
-    const double spread = glm::mix(1.0, gradation, thick) / kPi;
+    const double spread = glm::mix(1.0, gradation, thick) / std::numbers::pi;
     glm::dvec3 sum = sky_illuminance_ * (spread * glm::mix(1.0, through, thick));
     for (const CloudLight& light : lights_) {
       const double cosine = angle_between(view, light.direction_in_world).cosine;

@@ -8,11 +8,9 @@
 namespace render {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 glm::dvec3 grid_point(int row, int rows, int sector, int sectors) {
-  const double elevation = 0.5 * kPi * row / rows;
-  const double azimuth = 2.0 * kPi * sector / sectors;
+  const double elevation = 0.5 * std::numbers::pi * row / rows;
+  const double azimuth = 2.0 * std::numbers::pi * sector / sectors;
   if (row == rows) return {0.0, 0.0, 1.0};
   return {std::cos(elevation) * std::sin(azimuth), std::cos(elevation) * std::cos(azimuth), std::sin(elevation)};
 }

@@ -9,13 +9,13 @@ namespace {
 constexpr int kRings = 32;
 constexpr int kSectors = 64;
 
-struct Node {
+struct GaussNode {
   double z;
   double weight;
 };
 
 // Gauss-Legendre node i of n on [0, 1]: Newton's method on P_n from Tricomi's estimate.
-Node gauss_legendre(int i, int n) {
+GaussNode gauss_legendre(int i, int n) {
   double x = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));
   double slope = 1.0;
   for (int step = 0; step < 8; ++step) {
@@ -36,7 +36,7 @@ std::vector<SolidAngleSample> sample_upper_half() {
   std::vector<SolidAngleSample> samples;
   samples.reserve(kRings * kSectors);
   for (int ring = 0; ring < kRings; ++ring) {
-    const Node node = gauss_legendre(ring, kRings);
+    const GaussNode node = gauss_legendre(ring, kRings);
     const double radius = std::sqrt(1.0 - node.z * node.z);
     const double solid_angle = 2.0 * std::numbers::pi * node.weight / kSectors;
     for (int sector = 0; sector < kSectors; ++sector) {

@@ -16,12 +16,12 @@
 #include "render/sky/sky_image.h"
 #include "render/sky/sky_model.h"
 #include "render/sky/twilight.h"
+#include "render/sun/angles.h"
 #include "render/sun/spectrum.h"
 
 namespace render {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr Handover kClearHandover{8.0 * kRadPerDeg, 0.0};   // turbid models lose their colours in the last degrees
 constexpr Handover kGivenHandover{0.0, -4.0 * kRadPerDeg};  // what was asked for holds as long as the sun is up
 

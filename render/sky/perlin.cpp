@@ -30,7 +30,7 @@ double fade(double t) {
   return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
-double mix(double a, double b, double w) {
+double between(double a, double b, double w) {
   return a + (b - a) * w;
 }
 
@@ -52,9 +52,9 @@ double perlin(double x, double y, double z, std::uint32_t seed) {
   const double u = fade(dx);
   const double v = fade(dy);
   const auto layer = [&](int k) {
-    return mix(mix(corner(0, 0, k), corner(1, 0, k), u), mix(corner(0, 1, k), corner(1, 1, k), u), v);
+    return between(between(corner(0, 0, k), corner(1, 0, k), u), between(corner(0, 1, k), corner(1, 1, k), u), v);
   };
-  return mix(layer(0), layer(1), fade(dz));
+  return between(layer(0), layer(1), fade(dz));
 }
 
 Octaves perlin_octaves(double x, double y, double z, int octaves, double persistence, double finest,

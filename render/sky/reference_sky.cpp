@@ -14,8 +14,6 @@
 namespace render {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 struct Detail {
   int rows;     // elevation, dense at the horizon
   int columns;  // azimuth from the sun, 0 to 180 degrees
@@ -82,9 +80,9 @@ class ReferenceSky final : public SkyModel {
     table_.resize(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_));
     for (int row = 0; row < rows_; ++row) {
       const double v = static_cast<double>(row) / (rows_ - 1);
-      const double elevation = 0.5 * kPi * v * v;
+      const double elevation = 0.5 * std::numbers::pi * v * v;
       for (int column = 0; column < columns_; ++column) {
-        const double azimuth = kPi * column / (columns_ - 1);
+        const double azimuth = std::numbers::pi * column / (columns_ - 1);
         const glm::dvec3 view(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                               std::sin(elevation));
         table_[index(row, column)] = integrate(*air_, view, from_south, detail.steps);
@@ -111,11 +109,11 @@ class ReferenceSky final : public SkyModel {
   }
 
   Arriving look_up(const glm::dvec3& view) const {
-    const double row = std::sqrt(std::asin(std::min(view.z, 1.0)) / (0.5 * kPi)) * (rows_ - 1);
+    const double row = std::sqrt(std::asin(std::min(view.z, 1.0)) / (0.5 * std::numbers::pi)) * (rows_ - 1);
     // With the sun at the zenith the azimuth means nothing and the table is the same in every column.
     const double sine = view.x * sun_in_world_.y - view.y * sun_in_world_.x;
     const double cosine = view.x * sun_in_world_.x + view.y * sun_in_world_.y;
-    const double column = std::abs(std::atan2(sine, cosine)) / kPi * (columns_ - 1);
+    const double column = std::abs(std::atan2(sine, cosine)) / std::numbers::pi * (columns_ - 1);
     const int r = std::clamp(static_cast<int>(row), 0, rows_ - 2);
     const int c = std::clamp(static_cast<int>(column), 0, columns_ - 2);
     const auto at = [this](int i, int j) -> const Arriving& { return table_[index(i, j)]; };

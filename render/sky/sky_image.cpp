@@ -10,13 +10,12 @@
 
 #include "render/sky/hemisphere.h"
 #include "render/sky/twilight.h"
+#include "render/sun/angles.h"
 #include "render/sun/spectrum.h"
 
 namespace render {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kRadPerDeg = kPi / 180.0;
 constexpr double kStandsOut = 30.0;                    // times brighter than its surroundings
 constexpr double kGlareRad = 3.0 * kRadPerDeg;         // what a lens spreads the disc to
 constexpr double kSurroundingsRad = 6.0 * kRadPerDeg;  // ring from the glare to here
@@ -30,9 +29,9 @@ double brightness(const glm::vec3& rgb) {
 }
 
 double pixel_solid_angle(int row, int width, int height) {
-  const double upper = std::cos(kPi * row / height);
-  const double lower = std::cos(kPi * (row + 1) / height);
-  return 2.0 * kPi / width * (upper - lower);
+  const double upper = std::cos(std::numbers::pi * row / height);
+  const double lower = std::cos(std::numbers::pi * (row + 1) / height);
+  return 2.0 * std::numbers::pi / width * (upper - lower);
 }
 
 template <typename Visit>
@@ -80,9 +79,9 @@ class ImageSky final : public SkyModel {
   glm::dvec3 luminance_rgb(const glm::dvec3& direction_in_world) const override {
     const glm::dvec3 view = glm::normalize(direction_in_world);
     const double azimuth = std::atan2(view.x, view.y) - turn_rad_;
-    const double turns = azimuth / (2.0 * kPi) + 0.5;
+    const double turns = azimuth / (2.0 * std::numbers::pi) + 0.5;
     const double column = (turns - std::floor(turns)) * image_.width - 0.5;
-    const double row = std::acos(std::clamp(view.z, -1.0, 1.0)) / kPi * image_.height - 0.5;
+    const double row = std::acos(std::clamp(view.z, -1.0, 1.0)) / std::numbers::pi * image_.height - 0.5;
     const double left = std::floor(column);
     const double held = std::clamp(row, 0.0, image_.height - 1.0);
     const int above = std::min(static_cast<int>(held), image_.height - 2);
@@ -114,8 +113,8 @@ LinearImage read_picture(const std::filesystem::path& file) {
 }  // namespace
 
 glm::dvec3 lat_long_direction(double column_px, double row_px, int width, int height) {
-  const double azimuth = ((column_px + 0.5) / width - 0.5) * 2.0 * kPi;
-  const double from_zenith = (row_px + 0.5) / height * kPi;
+  const double azimuth = ((column_px + 0.5) / width - 0.5) * 2.0 * std::numbers::pi;
+  const double from_zenith = (row_px + 0.5) / height * std::numbers::pi;
   return {std::sin(azimuth) * std::sin(from_zenith), std::cos(azimuth) * std::sin(from_zenith), std::cos(from_zenith)};
 }
 

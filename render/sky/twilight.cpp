@@ -6,12 +6,12 @@
 #include <numbers>
 
 #include "render/sky/smooth_step.h"
+#include "render/sun/angles.h"
 #include "render/sun/spectrum.h"
 
 namespace render {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kBlendHalfDeg = 0.5;
 constexpr double kMeanMoonDistanceM = 3.844e8;
 

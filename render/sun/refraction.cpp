@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/sun/angles.h"
+
 namespace render {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kFormulaFloorDeg = -1.0;  // the formula peaks at -1.90 degrees and has a pole at -5.11
 constexpr double kFadedOutDeg = -3.5;      // far enough that the fade's slope stays below 1 in any weather
 

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kAstronomicalUnitM = 149597870700.0;
 constexpr double kSunRadiusM = 6.957e8;  // IAU 2015 resolution B3
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 glm::dvec3 direction(double azimuth_rad, double elevation_rad) {
   const double horizontal = std::cos(elevation_rad);
@@ -46,7 +45,7 @@ SunPosition sun_position(const Place& place, UtcTime time, SunTier tier, const W
   SunPosition position;
   position.distance_au = glm::length(sun);
   const double azimuth = std::atan2(sun.x, sun.y);
-  position.azimuth_rad = azimuth < 0.0 ? std::fmod(azimuth + kTwoPi, kTwoPi) : azimuth;
+  position.azimuth_rad = azimuth < 0.0 ? std::fmod(azimuth + 2.0 * std::numbers::pi, 2.0 * std::numbers::pi) : azimuth;
   position.elevation_rad = std::atan2(sun.z, std::hypot(sun.x, sun.y));
   position.apparent_elevation_rad = apparent_elevation(position.elevation_rad, weather);
   position.angular_radius_rad = std::asin(kSunRadiusM / (position.distance_au * kAstronomicalUnitM));

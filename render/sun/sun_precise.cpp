@@ -10,7 +10,6 @@
 namespace render {
 namespace {
 
-constexpr double kAstronomicalUnitM = 149597870700.0;
 constexpr double kLightAuPerDay = 173.14463267424034;
 constexpr double kEarthTurnRadPerDay = 6.300388098984957;  // IERS Conventions 2010: 7.292115e-5 rad/s
 
@@ -80,7 +79,7 @@ glm::dvec3 terrestrial_from_celestial(const glm::dvec3& x_in_celestial, const Ju
 glm::dvec3 topocentric(const glm::dvec3& sun_in_earth_au, const Place& place) {
   double site[3];
   eraGd2gc(ERFA_WGS84, place.longitude_rad, place.latitude_rad, place.height_m, site);
-  const glm::dvec3 site_au = column(site) / kAstronomicalUnitM;
+  const glm::dvec3 site_au = column(site) / ERFA_DAU;
   glm::dvec3 sun = sun_in_earth_au - site_au;
   const glm::dvec3 site_velocity = kEarthTurnRadPerDay * glm::dvec3(-site_au.y, site_au.x, 0.0);
   sun += glm::length(sun) * site_velocity / kLightAuPerDay;

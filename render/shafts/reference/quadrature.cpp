@@ -16,7 +16,7 @@ constexpr std::array<double, 8> kKronrod{0.022935322010529224963732008058970, 0.
                                          0.204432940075298892414161999234649, 0.209482141084727828012999174891714};
 constexpr std::array<double, 4> kGauss{0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
                                        0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
-constexpr int kDeepest = 40;
+constexpr int kMostHalvings = 40;
 
 using Function = std::function<double(double)>;
 
@@ -37,7 +37,7 @@ Quadrature rule(const Function& function, double from, double to) {
 Quadrature refine(const Function& function, double from, double to, const Quadrature& whole, double tolerance,
                   int depth) {
   const double rounding = 1e-15 * std::abs(whole.value);
-  if (whole.error <= std::fmax(tolerance, rounding) || depth == kDeepest) return whole;
+  if (whole.error <= std::fmax(tolerance, rounding) || depth == kMostHalvings) return whole;
   const double middle = 0.5 * (from + to);
   const Quadrature left = refine(function, from, middle, rule(function, from, middle), 0.5 * tolerance, depth + 1);
   const Quadrature right = refine(function, middle, to, rule(function, middle, to), 0.5 * tolerance, depth + 1);

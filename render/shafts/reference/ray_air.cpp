@@ -6,10 +6,11 @@
 #include <numbers>
 #include <vector>
 
+#include "render/shafts/reference/endless.h"
+
 namespace render {
 namespace {
 
-constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kRelative = 1e-10;  // of each lit stretch
 constexpr double kDeepest = 50.0;    // exp(-50) = 2e-22: nothing beyond is seen
 

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "render/shafts/reference/caster_light.h"
+#include "render/shafts/reference/endless.h"
 
 namespace render {
 namespace {
 
-constexpr double kEndless = std::numeric_limits<double>::infinity();
 // Light so nearly along the ray that the two span no plane; then the ray alone decides.
 constexpr double kAlong = 1e-9;
 // Shadows so close together, in metres and as a part of the distance, are one: triangles that share an edge.

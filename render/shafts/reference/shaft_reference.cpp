@@ -9,13 +9,13 @@
 #include <numbers>
 #include <thread>
 
+#include "render/shafts/reference/endless.h"
 #include "render/sky/patches.h"
 #include "render/sky/sky_light.h"
 
 namespace render {
 namespace {
 
-constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr int kFirstDiscSamples = 32;
 
 bool dark(const glm::dvec3& rgb) {
