@@ -15,22 +15,21 @@ struct OnLine {
   float whole_px;  // the line's length
 };
 
+// Ways are counted in lengths of `away` until the end, which spares divisions.
 OnLine on_line(vec2 px) {
   vec2 away = px * sun_in_px.z - sun_in_px.xy;  // from the sun's place: away / sun_in_px.z pixels
-  float size = sqrt(max(dot(away, away), 1e-30));
-  vec2 direction = away / size;
-  bvec2 forward = greaterThan(direction, vec2(0.0));
-  vec2 inverse = 1.0 / mix(direction, vec2(1e-20), lessThan(abs(direction), vec2(1e-20)));
-  vec2 border = mix(vec2(0.0), picture_px, forward);
-  vec2 to_border = abs((border - px) * inverse);
-  vec2 from_border = abs((picture_px - border - px) * inverse);
+  bvec2 forward = greaterThan(away, vec2(0.0));
+  vec2 inverse = 1.0 / max(abs(away), vec2(1e-20));
+  vec2 to_border = mix(px, picture_px - px, forward) * inverse;
+  vec2 from_border = mix(picture_px - px, px, forward) * inverse;
   float ahead = min(to_border.x, to_border.y);
-  float behind = min(min(from_border.x, from_border.y), size / max(sun_in_px.z, 1e-20));
+  float behind = min(min(from_border.x, from_border.y), 1.0 / max(sun_in_px.z, 1e-20));
   bool across = to_border.x < to_border.y;
-  vec2 end = clamp(px + direction * ahead, vec2(0.0), picture_px);
   vec2 first = mix(side_first.xz, side_first.yw, forward);
-  float row = across ? first.x + end.y * rows_per_px.x : first.y + end.x * rows_per_px.y;
-  return OnLine(clamp(row, 0.0, last_row), ahead, ahead + behind);
+  float row = across ? first.x + clamp(px.y + away.y * ahead, 0.0, picture_px.y) * rows_per_px.x
+                     : first.y + clamp(px.x + away.x * ahead, 0.0, picture_px.x) * rows_per_px.y;
+  float size = sqrt(dot(away, away));
+  return OnLine(clamp(row, 0.0, last_row), ahead * size, (ahead + behind) * size);
 }
 
 struct Line {
