@@ -91,6 +91,7 @@ class Planner {
       plan_objects();
       plan_air_shadow();
       plan_shafts();
+      plan_glass();
       add(PassKind::Composite, "composite", "linear light, the source's own encoding",
           "virtual light is laid over the real picture");
       add(PassKind::Read, "read", "the part of the picture that changes; the rest is copied",
@@ -107,7 +108,9 @@ class Planner {
   }
   void omit(std::string name, std::string reason) { plan_.omitted.push_back({std::move(name), std::move(reason)}); }
   void omit_all(const std::string& reason) {
-    for (const char* name : {"upload", "shadow", "objects", "shafts", "composite", "read"}) omit(name, reason);
+    for (const char* name : {"upload", "shadow", "objects", "air shadow", "shafts", "glass", "composite", "read"}) {
+      omit(name, reason);
+    }
   }
 
   void resolve_technique() {
@@ -145,8 +148,12 @@ class Planner {
   }
 
   void plan_air_shadow() {
+    if (!needs_.shafts) return omit("air shadow", why_no_shafts());
     const ShaftTechniqueInfo* info = find_shaft_technique(plan_.shafts.technique);
-    if (!needs_.shafts || info == nullptr || !info->shows_texels || by_disc(plan_.shafts)) return;
+    if (info == nullptr || !info->shows_texels) {
+      return omit("air shadow", plan_.shafts.technique + " does not show the shadow map's texels");
+    }
+    if (by_disc(plan_.shafts)) return omit("air shadow", "shafts that soften by the sun's disc hide the texels");
     add(PassKind::AirShadow, "air shadow",
         fmt::format("{0} x {0} texels over the air that is seen, where that is much less than all; parted by distance "
                     "where they would look coarse near the eye",
@@ -154,9 +161,20 @@ class Planner {
         fmt::format("{} shows the shadow map's texels", plan_.shafts.technique));
   }
 
+  std::string why_no_shafts() const {
+    if (!scene_.medium) return "the scene has no medium";
+    if (!needs_.medium) return "the medium's extinction is zero";
+    if (!needs_.sun) return "no sunlight that casters could carve shafts into";
+    return needs_.casters ? "what casts shadows does not shade the medium" : "nothing in the scene casts a shadow";
+  }
+
+  void plan_glass() {
+    if (needs_.glass) return;
+    omit("glass", needs_.shafts ? "no caster lets coloured light through" : why_no_shafts());
+  }
+
   void plan_shafts() {
-    if (!scene_.medium) return omit("shafts", "the scene has no medium");
-    if (!needs_.medium) return omit("shafts", "the medium's extinction is zero");
+    if (!needs_.medium) return omit("shafts", why_no_shafts());
     add(PassKind::Shafts, "shafts", described(plan_.shafts) + (needs_.glass ? ", then tinted by glass" : ""),
         needs_.glass    ? "a medium, casters that carve shafts into the sunlight, and glass that colours it"
         : needs_.shafts ? "a medium, and casters that carve shafts into the sunlight"

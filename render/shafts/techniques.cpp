@@ -157,18 +157,18 @@ ShaftTechniqueInfo epipolar() {
 }
 
 ShaftTechniqueInfo minmax() {
-  return {
-      .name = "minmax",
-      .summary = "epipolar lines with exact min-max trees over the shadow map (Chen 2011, Tan 2020)",
-      .knobs = line_knobs(3, 24, 0.1),
-      .ladder = {"minmax:line_px=8,sample_px=32,tolerance=0.2,divisor=2", "minmax:line_px=6,sample_px=32,tolerance=0.2",
-                 "minmax:line_px=4,sample_px=32", "minmax", "minmax:line_px=2,sample_px=16,tolerance=0.05",
-                 "minmax:line_px=4,sample_px=8,tolerance=0.15", "minmax:line_px=2.5,sample_px=12,tolerance=0.03",
-                 "minmax:line_px=1,sample_px=16,tolerance=0.02", "minmax:line_px=0.5,sample_px=8,tolerance=0.005"},
-      .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
-        return std::make_unique<Epipolar>(line_settings(s));
-      },
-      .shows_texels = true};
+  return {.name = "minmax",
+          .summary = "epipolar lines with exact min-max trees over the shadow map (Chen 2011, Tan 2020)",
+          .knobs = line_knobs(3, 24, 0.1),
+          .ladder = {"minmax:line_px=8,sample_px=32,tolerance=0.2,divisor=2",
+                     "minmax:line_px=6,sample_px=32,tolerance=0.2", "minmax:line_px=4,sample_px=32", "minmax",
+                     "minmax:line_px=4,sample_px=8,tolerance=0.15", "minmax:line_px=2,sample_px=16,tolerance=0.05",
+                     "minmax:line_px=2.5,sample_px=10,tolerance=0.08", "minmax:line_px=2.5,sample_px=12,tolerance=0.03",
+                     "minmax:line_px=1,sample_px=16,tolerance=0.02", "minmax:line_px=0.5,sample_px=8,tolerance=0.005"},
+          .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
+            return std::make_unique<Epipolar>(line_settings(s));
+          },
+          .shows_texels = true};
 }
 
 // Those of this library, and what add_shaft_technique() adds.

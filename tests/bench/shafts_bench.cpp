@@ -1,6 +1,7 @@
-// bench_shafts FOLDER SCENE WxH [TECHNIQUE[:key=value,...]...]: time of the shaft pass and error against the reference
-// on a scene that skyshaft-bench-scenes wrote to FOLDER. The camera moves and the shadow maps, the air's too where the
-// technique gains by it, are drawn again each frame: what that takes ("air map") is not part of the pass.
+// bench_shafts FOLDER SCENE WxH [eye=X,Y,Z] [target=X,Y,Z] [sun=AZIMUTH,ELEVATION] [TECHNIQUE[:key=value,...]...]: time
+// of the shaft pass and error against the reference on a scene that skyshaft-bench-scenes wrote to FOLDER, from its own
+// view and under its own sun unless others are given (metres, degrees). The camera moves and the shadow maps, the air's
+// too where the technique gains by it, are drawn again each frame: what that takes ("air map") is not part of the pass.
 #include <GLES3/gl31.h>
 #include <fmt/format.h>
 
@@ -31,11 +32,44 @@ int map_size() {
   return text == nullptr ? 2048 : std::atoi(text);
 }
 
-SceneState scene_of(const std::filesystem::path& folder, const std::string& name) {
+// Where the scene is seen from and lit from.
+struct Setting {
+  glm::dvec3 eye{-2.6, 2.6, 1.6};
+  glm::dvec3 target{0.6, -1.2, 1.05};
+  double fov_deg = 56.0;
+  glm::dvec2 sun_deg{160.0, 38.0};  // azimuth, elevation
+
+  // The scene's own.
+  explicit Setting(const std::string& name) {
+    if (name.starts_with("gate")) {
+      eye = {2.1, -10.8, 1.5};
+      target = {-0.35, 0.0, 2.7};
+      fov_deg = 46.0;
+      sun_deg = {343.0, 26.0};
+    } else if (name.starts_with("forest")) {
+      eye = {0.6, -13.5, 1.7};
+      target = {-0.4, 0.0, 4.6};
+      fov_deg = 52.0;
+      sun_deg = {14.0, 43.0};
+    }
+  }
+
+  // Whether the text is one of what main() may be given instead.
+  bool take(const char* text) {
+    return std::sscanf(text, "eye=%lf,%lf,%lf", &eye.x, &eye.y, &eye.z) == 3 ||
+           std::sscanf(text, "target=%lf,%lf,%lf", &target.x, &target.y, &target.z) == 3 ||
+           std::sscanf(text, "sun=%lf,%lf", &sun_deg.x, &sun_deg.y) == 2;
+  }
+
+  std::string name() const {
+    return fmt::format("eye {:g} {:g} {:g}, target {:g} {:g} {:g}, sun {:g} {:g}", eye.x, eye.y, eye.z, target.x,
+                       target.y, target.z, sun_deg.x, sun_deg.y);
+  }
+};
+
+SceneState scene_of(const std::filesystem::path& folder, const std::string& name, const Setting& setting) {
   const auto starts = [&](const char* word) { return name.starts_with(word); };
-  SceneState scene = starts("gate")     ? sunny(343.0, 26.0, 6000.0)
-                     : starts("forest") ? sunny(14.0, 43.0, 6000.0)
-                                        : sunny(160.0, 38.0, 0.0);
+  SceneState scene = sunny(setting.sun_deg.x, setting.sun_deg.y, starts("room") ? 0.0 : 6000.0);
   scene.sun.illuminance_rgb = glm::dvec3(starts("room") ? 80000.0 : 260000.0);
   scene.exposure = 1.0 / (starts("gate") ? 34000.0 : starts("forest") ? 32000.0 : 3800.0);
   scene.medium.emplace();
@@ -45,12 +79,6 @@ SceneState scene_of(const std::filesystem::path& folder, const std::string& name
   if (starts("room")) scene.medium->extent = Box{{-3, -2.5, 0}, {3, 3, 3}};
   scene.instances = {place(load_gltf(folder / (name + ".glb")), glm::dvec3(0.0), false)};
   return scene;
-}
-
-Camera camera_of(const std::string& name, const glm::ivec2& size) {
-  if (name.starts_with("gate")) return look_at(size.x, size.y, {2.1, -10.8, 1.5}, {-0.35, 0, 2.7}, 46);
-  if (name.starts_with("forest")) return look_at(size.x, size.y, {0.6, -13.5, 1.7}, {-0.4, 0, 4.6}, 52);
-  return look_at(size.x, size.y, {-2.6, 2.6, 1.6}, {0.6, -1.2, 1.05}, 56);
 }
 
 // Medians.
@@ -72,6 +100,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 struct Bench {
   std::filesystem::path folder;
   std::string name;
+  std::string setting;
   SceneState scene;
   View view;
   const ObjectsPicture* objects = nullptr;
@@ -94,7 +123,7 @@ struct Bench {
     const ShaftPicture& distance = open->draw(inputs());
     for (const glm::vec4& p : read_pixels(distance.distance, view.width, view.height, GL_FLOAT).rgba)
       axis_m.push_back(p.r);
-    const auto cache = folder / fmt::format("{}-{}x{}.truth", name, view.width, view.height);
+    const auto cache = folder / fmt::format("{}-{}x{} {}.truth", name, view.width, view.height, setting);
     truth.resize(axis_m.size());
     std::ifstream in(cache, std::ios::binary);
     if (!in.read(reinterpret_cast<char*>(truth.data()),
@@ -200,7 +229,7 @@ int main(int argc, char** argv) {
   using namespace render;
   using namespace render::test;
   if (argc < 4) {
-    std::fputs("usage: bench_shafts FOLDER SCENE WxH [TECHNIQUE...]\n", stderr);
+    std::fputs("usage: bench_shafts FOLDER SCENE WxH [eye=X,Y,Z] [target=X,Y,Z] [sun=AZ,EL] [TECHNIQUE...]\n", stderr);
     return 2;
   }
   try {
@@ -210,13 +239,17 @@ int main(int argc, char** argv) {
     Bench bench;
     bench.folder = argv[1];
     bench.name = argv[2];
-    bench.scene = scene_of(bench.folder, bench.name);
-    bench.scene.camera = camera_of(bench.name, size);
+    Setting setting(bench.name);
+    int first = 4;
+    while (first < argc && setting.take(argv[first])) ++first;
+    bench.setting = setting.name();
+    bench.scene = scene_of(bench.folder, bench.name, setting);
+    bench.scene.camera = look_at(size.x, size.y, setting.eye, setting.target, setting.fov_deg);
     bench.make_truth();
     const glm::dvec3 map_m = rig().shadow.map(Casters::Virtual).fit.metres_per_unit;
-    fmt::print("{} at {}: {} triangles, shadow map {:.1f} x {:.1f} m, {:.1f} m deep\n", bench.name, argv[3],
-               bench.scene.instances[0].model->triangle_count(), map_m.x, map_m.y, map_m.z);
-    for (int i = 4; i < argc; ++i) bench.run(argv[i]);
+    fmt::print("{} at {}, {}: {} triangles, shadow map {:.1f} x {:.1f} m, {:.1f} m deep\n", bench.name, argv[3],
+               bench.setting, bench.scene.instances[0].model->triangle_count(), map_m.x, map_m.y, map_m.z);
+    for (int i = first; i < argc; ++i) bench.run(argv[i]);
   } catch (const std::exception& error) {
     fmt::print(stderr, "bench_shafts: {}\n", error.what());
     return 1;

@@ -13,6 +13,7 @@ using render::PassKind;
 using render::Plan;
 using render::SceneState;
 using testing::HasSubstr;
+using testing::UnorderedElementsAre;
 
 render::Instance box(bool real) {
   return {"box", std::make_shared<render::Model>(render::make_box({1.0F, 1.0F, 1.0F})), glm::dmat4(1.0), real};
@@ -148,8 +149,26 @@ TEST(Plan, EveryPassAndOmissionHasAReason) {
     const Plan plan = render::make_plan(scene, {});
     for (const render::Pass& pass : plan.passes) EXPECT_FALSE(pass.reason.empty()) << pass.name;
     for (const render::Omission& o : plan.omitted) EXPECT_FALSE(o.reason.empty()) << o.name;
-    EXPECT_EQ(plan.passes.size() + plan.omitted.size(), 6U) << "each pass is either there or accounted for";
+    std::vector<std::string> names;
+    for (const render::Pass& pass : plan.passes) names.push_back(pass.name);
+    for (const render::Omission& o : plan.omitted) names.push_back(o.name);
+    EXPECT_THAT(names, UnorderedElementsAre("upload", "shadow", "objects", "air shadow", "shafts", "glass", "composite",
+                                            "read"))
+        << "each is either there or accounted for";
   }
+}
+
+TEST(Plan, AMapOfTheAirIsLeftOutWhereItsTexelsAreNotSeen) {
+  SceneState scene = sunlit_scene();
+  scene.instances.push_back(box(false));
+  EXPECT_THAT(omission(render::make_plan(scene, {}), "air shadow"), HasSubstr("no medium"));
+  scene.medium = haze();
+  EXPECT_THAT(omission(render::make_plan(scene, {}), "air shadow"), HasSubstr("interleaved does not show"));
+  render::Quality quality;
+  quality.shafts = render::parse_shaft_settings("march:sun=disc");
+  EXPECT_THAT(omission(render::make_plan(scene, quality), "air shadow"), HasSubstr("disc"));
+  quality.shafts = render::parse_shaft_settings("march");
+  EXPECT_TRUE(render::make_plan(scene, quality).has(PassKind::AirShadow));
 }
 
 render::View level_view() {
