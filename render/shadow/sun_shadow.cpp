@@ -124,7 +124,11 @@ struct SunShadow::Impl {
     slot.rendered = true;
     ++slot.map.revision;
     make_storage(slot, whole.map.size_px, GL_DEPTH_COMPONENT16);
+    // Depth is rounded to the nearest step: without half a step towards the sun light would leak in behind a caster.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(0.0F, -0.5F);
     draw(slot, casters, models);
+    glDisable(GL_POLYGON_OFFSET_FILL);
     return true;
   }
 

@@ -108,5 +108,6 @@ vec2 walk(int row, Ray ray, Air air, vec2 stretch, float reach) {
   any_lit = any_lit || !dark_end;
   dark += dark_end ? sunlight_between(mark, mark_at(air, reach)) : 0.0;
   float all = sunlight_of(air, vec2(stretch.x, reach));
+  any_lit = any_lit && all - dark > 2e-6 * all;  // nor what rounding leaves of the sums
   return vec2(any_lit ? min(dark, all) : -all, dark_end ? 0.0 : 1.0);
 }
