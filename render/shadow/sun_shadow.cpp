@@ -37,6 +37,13 @@ double shadow_length_m(const ShadowMap& map) {
   return 1.5 * map.fit.metres_per_unit.z;
 }
 
+// Air does with 16 bits of depth, half the memory to read, where a step of it is a small part of a texel.
+GLenum part_format(const ShadowFit& part, int size_px) {
+  const double texel_m = std::min(part.metres_per_unit.x, part.metres_per_unit.y) / size_px;
+  const double step_m = part.metres_per_unit.z / 65535.0;
+  return step_m < 0.25 * texel_m ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT32F;
+}
+
 // Whether the sun has moved its shadows by less than a quarter of a texel, which the bilinear comparison and any
 // penumbra hide: a clip's sun moves 73 microradians a second.
 bool sun_stands(const ShadowMap& map, const glm::dvec3& rendered, const glm::dvec3& now) {
@@ -110,8 +117,7 @@ struct SunShadow::Impl {
     return true;
   }
 
-  // Of the map in `whole`. Only air looks at it, which 16 bits of depth do for: a step is a small part of a texel, and
-  // half the memory is read in three quarters of the time.
+  // Of the map in `whole`.
   bool update_part(Slot& slot, const Slot& whole, const ShadowFit& part, const std::vector<const Instance*>& casters,
                    GpuModels& models) {
     if (slot.rendered && slot.whole_revision == whole.map.revision && slot.map.fit == part &&
@@ -123,17 +129,13 @@ struct SunShadow::Impl {
     slot.left_out = whole.left_out;
     slot.rendered = true;
     ++slot.map.revision;
-    make_storage(slot, whole.map.size_px, GL_DEPTH_COMPONENT16);
-    // Depth is rounded to the nearest step: without half a step towards the sun light would leak in behind a caster.
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(0.0F, -0.5F);
+    make_storage(slot, whole.map.size_px, part_format(part, whole.map.size_px));
     draw(slot, casters, models);
-    glDisable(GL_POLYGON_OFFSET_FILL);
     return true;
   }
 
   void make_storage(Slot& slot, int size, GLenum format) {
-    if (slot.map.size_px == size) return;
+    if (slot.map.size_px == size && slot.depth.internal_format() == format) return;
     slot.depth = gl::Texture(format, size, size, gl::Filter::Nearest, 1, "sun shadow");
     slot.depth.set_depth_compare();
     slot.framebuffer = gl::Framebuffer({}, &slot.depth, "sun shadow");

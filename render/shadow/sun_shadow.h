@@ -15,7 +15,7 @@
 
 namespace render {
 
-// A depth map (DEPTH_COMPONENT32F, of parts 16, compare mode LEQUAL, linear filter) and where it looks.
+// A depth map (DEPTH_COMPONENT32F, or 16 for the air alone; compare mode LEQUAL, linear filter) and where it looks.
 struct ShadowMap {
   GLuint depth_texture = 0;
   int size_px = 0;

@@ -54,11 +54,12 @@ struct Setting {
     }
   }
 
-  // Whether the text is one of what main() may be given instead.
+  // Whether the text is one of what main() may be given instead, and nothing more.
   bool take(const char* text) {
-    return std::sscanf(text, "eye=%lf,%lf,%lf", &eye.x, &eye.y, &eye.z) == 3 ||
-           std::sscanf(text, "target=%lf,%lf,%lf", &target.x, &target.y, &target.z) == 3 ||
-           std::sscanf(text, "sun=%lf,%lf", &sun_deg.x, &sun_deg.y) == 2;
+    char more = 0;
+    return std::sscanf(text, "eye=%lf,%lf,%lf%c", &eye.x, &eye.y, &eye.z, &more) == 3 ||
+           std::sscanf(text, "target=%lf,%lf,%lf%c", &target.x, &target.y, &target.z, &more) == 3 ||
+           std::sscanf(text, "sun=%lf,%lf%c", &sun_deg.x, &sun_deg.y, &more) == 2;
   }
 
   std::string name() const {

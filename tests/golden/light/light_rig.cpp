@@ -2,6 +2,7 @@
 
 #include <GLES3/gl31.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <glm/gtc/constants.hpp>
@@ -103,6 +104,18 @@ Instance place(Model model, const glm::dvec3& position_in_world, bool real) {
 Instance load(const std::string& name, const glm::dvec3& position_in_world) {
   return place(load_gltf(std::filesystem::path(SKYSHAFT_SOURCE_DIR) / "data/models" / (name + ".glb")),
                position_in_world, false);
+}
+
+Model sealed_room() {
+  Model room = make_box({6.0F, 6.0F, 3.0F});
+  for (Material& material : room.materials) material.double_sided = true;
+  return room;
+}
+
+float brightest(const Pixels& picture) {
+  float most = 0.0F;
+  for (const glm::vec4& p : picture.rgba) most = std::max({most, p.r, p.g, p.b});
+  return most;
 }
 
 SceneState sunny(double azimuth_deg, double elevation_deg, double sky_luminance) {

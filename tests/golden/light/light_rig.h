@@ -67,6 +67,11 @@ glm::dvec3 sun_direction(double azimuth_deg, double elevation_deg);
 Instance place(Model model, const glm::dvec3& position_in_world, bool real);
 Instance load(const std::string& name, const glm::dvec3& position_in_world);  // data/models/NAME.glb, virtual
 
+// A sealed room of 6 x 6 x 3 m around the origin, with walls that are seen from within.
+Model sealed_room();
+// The largest of the three colours of any pixel.
+float brightest(const Pixels& picture);
+
 // Sun of 90,000 lux at white, sky SH of a uniform sky of that luminance, and exposure for it.
 SceneState sunny(double azimuth_deg, double elevation_deg, double sky_luminance = 4000.0);
 
