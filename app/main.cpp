@@ -8,7 +8,7 @@
 #include <iostream>
 #include <string>
 
-#include "app/commands.h"
+#include "app/cmd/commands.h"
 #include "app/error.h"
 #include "app/exit_status.h"
 #include "ar/error.h"

@@ -10,14 +10,14 @@
 #include "app/calibration/gather.h"
 #include "app/calibration/inputs.h"
 #include "ar/track/grey.h"
-#include "calib/board_check.h"
-#include "calib/board_finder.h"
+#include "calib/boards/board_check.h"
+#include "calib/boards/board_finder.h"
 
 namespace app {
 namespace {
 
 // Tags of the board that the photograph does not show.
-std::vector<int> missing_tags(const calib::Board& board, const calib::Sighting& seen) {
+std::vector<int> missing_tags(const calib::Board& board, const calib::Observation& seen) {
   const std::set<int> points(seen.points.begin(), seen.points.end());
   std::vector<int> missing;
   for (const calib::BoardTag& tag : board.tags) {
@@ -27,7 +27,7 @@ std::vector<int> missing_tags(const calib::Board& board, const calib::Sighting& 
 }
 
 // How far the points are from where a flat board without lens distortion would have them, in units of the board.
-double misfit_m(const calib::Board& board, const calib::Sighting& seen) {
+double misfit_m(const calib::Board& board, const calib::Observation& seen) {
   std::vector<cv::Point2d> on_board;
   for (int p : seen.points) {
     const cv::Vec3d& at = board.points[static_cast<std::size_t>(p)];
@@ -51,7 +51,7 @@ BoardCheck check_board_photo(const calib::Board& board, const std::string& photo
   const Gathered gathered = gather(board, one);  // throws with the reason where the board is not there
   BoardCheck check;
   if (gathered.interrupted) return check;
-  const calib::Sighting& seen = gathered.sightings.views.front();
+  const calib::Observation& seen = gathered.observations.views.front();
   check.text = fmt::format("board        {}\nseen         {} of {} points\n", board.description, seen.points.size(),
                            board.points.size());
   const auto missing = missing_tags(board, seen);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "calib/board.h"
+#include "calib/boards/board.h"
 
 namespace app {
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <system_error>
 
-#include "app/output_files.h"
+#include "app/process/output_files.h"
 #include "ar/error.h"
 
 namespace app {
@@ -25,7 +25,7 @@ std::string stamp_of(const std::string& input) {
   return fmt::format("{} {} {}", path.string(), size, time.time_since_epoch().count());
 }
 
-json to_json(const calib::Sighting& s) {
+json to_json(const calib::Observation& s) {
   json px = json::array();
   for (const cv::Point2d& p : s.px) px.push_back({p.x, p.y});
   return {{"name", s.name},
@@ -36,8 +36,8 @@ json to_json(const calib::Sighting& s) {
           {"px", px}};
 }
 
-calib::Sighting sighting_from(const json& j) {
-  calib::Sighting s;
+calib::Observation observation_from(const json& j) {
+  calib::Observation s;
   s.name = j.at("name");
   s.time_s = j.at("time_s");
   s.edge_width_px = j.at("edge_width_px");
@@ -71,14 +71,14 @@ std::optional<LookedAt> CornersCache::find(const std::string& input) const {
   if (entry == entries_.end()) return std::nullopt;
   const json j = json::parse(entry->second);
   LookedAt looked{input, j.at("width"), j.at("height"), j.at("video"), {}};
-  for (const json& frame : j.at("frames")) looked.frames.push_back(sighting_from(frame));
+  for (const json& frame : j.at("frames")) looked.frames.push_back(observation_from(frame));
   return looked;
 }
 
 void CornersCache::keep(const LookedAt& looked) {
   if (file_.empty()) return;
   json frames = json::array();
-  for (const calib::Sighting& s : looked.frames) frames.push_back(to_json(s));
+  for (const calib::Observation& s : looked.frames) frames.push_back(to_json(s));
   const json entry{{"input", looked.input},   {"stamp", stamp_of(looked.input)}, {"width", looked.width},
                    {"height", looked.height}, {"video", looked.video},           {"frames", frames}};
   entries_[looked.input] = entry.dump();

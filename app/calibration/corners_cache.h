@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "calib/sighting.h"
+#include "calib/views/observation.h"
 
 namespace app {
 
@@ -16,7 +16,7 @@ struct LookedAt {
   int width = 0;
   int height = 0;
   bool video = false;
-  std::vector<calib::Sighting> frames;  // those without the board too, with no points
+  std::vector<calib::Observation> frames;  // those without the board too, with no points
 };
 
 // Corners that were found before, in a JSON file. An input's are taken again as long as its path, size and time of

@@ -15,9 +15,9 @@
 #include "ar/capture/source.h"
 #include "ar/error.h"
 #include "ar/track/grey.h"
-#include "calib/board_check.h"
-#include "calib/board_finder.h"
-#include "calib/view_choice.h"
+#include "calib/boards/board_check.h"
+#include "calib/boards/board_finder.h"
+#include "calib/views/view_choice.h"
 
 namespace app {
 namespace {
@@ -39,7 +39,7 @@ LookedAt look_at(const std::string& input, calib::BoardFinder& finder, Progress&
   while (const auto frame = source->next()) {
     if (InterruptGuard::requested()) break;
     if (index++ % every != 0) continue;
-    calib::Sighting seen =
+    calib::Observation seen =
         finder.find(ar::grey8(*frame, room), looked.video ? calib::Effort::Quick : calib::Effort::Thorough);
     seen.time_s = frame->time_s;
     seen.name = looked.video || index > 1 ? fmt::format("{}#{}", input, frame->index) : input;
@@ -100,7 +100,7 @@ std::string instead_of_board(const calib::Board& board, const std::string& input
 [[noreturn]] void complain_of_none(const calib::Board& board, const std::vector<LookedAt>& all, int pictures) {
   std::set<int> foreign;
   for (const LookedAt& looked : all) {
-    for (const calib::Sighting& s : looked.frames) foreign.insert(s.foreign_ids.begin(), s.foreign_ids.end());
+    for (const calib::Observation& s : looked.frames) foreign.insert(s.foreign_ids.begin(), s.foreign_ids.end());
   }
   const std::string what =
       fmt::format("no board ({}) in {} picture{}", board.description, pictures, pictures == 1 ? "" : "s");
@@ -118,18 +118,18 @@ std::string instead_of_board(const calib::Board& board, const std::string& input
 }
 
 void add_views(const calib::Board& board, const LookedAt& looked, const GatherOptions& options, Gathered& out) {
-  std::vector<calib::Sighting> with_board;
-  for (const calib::Sighting& s : looked.frames) {
+  std::vector<calib::Observation> with_board;
+  for (const calib::Observation& s : looked.frames) {
     if (!s.points.empty()) with_board.push_back(s);
   }
   out.with_board += static_cast<int>(with_board.size());
   if (!looked.video) {
-    for (calib::Sighting& s : with_board) out.sightings.views.push_back(std::move(s));
+    for (calib::Observation& s : with_board) out.observations.views.push_back(std::move(s));
     return;
   }
   for (std::size_t i : calib::choose_views(board, with_board, looked.width, looked.height,
                                            static_cast<std::size_t>(options.most_views))) {
-    out.sightings.views.push_back(with_board[i]);
+    out.observations.views.push_back(with_board[i]);
   }
 }
 
@@ -156,10 +156,10 @@ Gathered gather(const calib::Board& board, const GatherOptions& options) {
   out.interrupted = InterruptGuard::requested();
   if (out.interrupted) return out;
   check_sizes(all);
-  out.sightings.width = all.front().width;
-  out.sightings.height = all.front().height;
+  out.observations.width = all.front().width;
+  out.observations.height = all.front().height;
   for (const LookedAt& looked : all) add_views(board, looked, options, out);
-  if (out.sightings.views.empty()) complain_of_none(board, all, out.pictures);
+  if (out.observations.views.empty()) complain_of_none(board, all, out.pictures);
   return out;
 }
 

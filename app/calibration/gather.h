@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "calib/board.h"
-#include "calib/sighting.h"
+#include "calib/boards/board.h"
+#include "calib/views/observation.h"
 
 namespace app {
 
@@ -16,8 +16,8 @@ struct GatherOptions {
 };
 
 struct Gathered {
-  calib::Sightings sightings;  // with the board in them
-  int pictures = 0;            // looked at
+  calib::Observations observations;  // with the board in them
+  int pictures = 0;                  // looked at
   int with_board = 0;
   bool interrupted = false;  // by a signal; the rest was not looked at, and the sightings are not filled in
 };

@@ -11,8 +11,8 @@
 #include "app/pipeline/interrupt.h"
 #include "ar/error.h"
 #include "ar/track/grey.h"
-#include "calib/board_finder.h"
-#include "calib/view_collector.h"
+#include "calib/boards/board_finder.h"
+#include "calib/views/view_collector.h"
 
 namespace app {
 namespace {
@@ -35,7 +35,7 @@ class Teller {
     spdlog::info("hold the board {}", calib::words_of(collector.next()));
     told_ = LiveClock::now();
   }
-  void heed(calib::FrameUse use, const calib::ViewCollector& collector) {
+  void apply(calib::FrameUse use, const calib::ViewCollector& collector) {
     if (use == calib::FrameUse::Taken) {
       spdlog::info("view {} taken: {}", collector.taken().size(), calib::words_of(collector.last_held()));
       spdlog::info("covered: {}", coverage_words(collector.coverage()));
@@ -70,7 +70,7 @@ class Session {
     teller_.ask(collector_);
     while (goes_on()) {
       if (auto arrived = feed_.take(kPatience)) look_at(arrived->frame);
-      if (window_) heed(window_->show(collector_, last_, use_, feed_.lost()));
+      if (window_) apply(window_->show(collector_, last_, use_, feed_.lost()));
     }
     feed_.stop();
     return gathered();
@@ -86,13 +86,13 @@ class Session {
     use_ = collector_.add(last_);
     ++pictures_;
     with_board_ += last_.points.empty() ? 0 : 1;
-    teller_.heed(use_, collector_);
+    teller_.apply(use_, collector_);
     if (window_) window_->upload(frame);
   }
 
-  void heed(GatherWish wish) {
-    done_ = wish == GatherWish::Finish;
-    if (wish == GatherWish::DropLast) collector_.drop_last();
+  void apply(GatherRequest request) {
+    done_ = request == GatherRequest::Finish;
+    if (request == GatherRequest::DropLast) collector_.drop_last();
   }
 
   Gathered gathered() const {
@@ -103,7 +103,7 @@ class Session {
           with_board_ > 0 ? "hold it still for half a second" : "is it the right board file? skyshaft board --check"));
     }
     Gathered out;
-    out.sightings = {feed_.info().format.width, feed_.info().format.height, collector_.taken()};
+    out.observations = {feed_.info().format.width, feed_.info().format.height, collector_.taken()};
     out.pictures = pictures_;
     out.with_board = with_board_;
     return out;
@@ -116,7 +116,7 @@ class Session {
   std::unique_ptr<GatherWindow> window_;
   Teller teller_;
   cv::Mat room_;
-  calib::Sighting last_;
+  calib::Observation last_;
   calib::FrameUse use_ = calib::FrameUse::NoBoard;
   int pictures_ = 0;
   int with_board_ = 0;

@@ -5,8 +5,8 @@
 
 #include "app/calibration/gather.h"
 #include "app/live/feed.h"
-#include "ar/capture/live_source.h"
-#include "calib/board.h"
+#include "ar/capture/live/live_source.h"
+#include "calib/boards/board.h"
 
 namespace app {
 

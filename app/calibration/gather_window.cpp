@@ -9,7 +9,7 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
-#include "app/bridge.h"
+#include "app/process/bridge.h"
 #include "render/composite/composite_pass.h"
 
 namespace app {
@@ -90,7 +90,7 @@ void GatherWindow::draw_coverage(const calib::ViewCoverage& coverage) const {
   }
 }
 
-void GatherWindow::draw_points(const calib::Sighting& seen, calib::FrameUse use) const {
+void GatherWindow::draw_points(const calib::Observation& seen, calib::FrameUse use) const {
   const ImU32 color = use == calib::FrameUse::Moving || use == calib::FrameUse::Blurred ? kMoving : kStill;
   for (const cv::Point2d& px : seen.px) {
     ImGui::GetBackgroundDrawList()->AddCircleFilled(to_gui(window_.window_from_picture(px)), 2.5F, color);
@@ -110,15 +110,15 @@ void GatherWindow::draw_asked(const std::vector<cv::Point2d>& px) const {
                                               3.0F);
 }
 
-GatherWish GatherWindow::show(const calib::ViewCollector& collector, const calib::Sighting& seen, calib::FrameUse use,
-                              const std::string& lost) {
+GatherRequest GatherWindow::show(const calib::ViewCollector& collector, const calib::Observation& seen,
+                                 calib::FrameUse use, const std::string& lost) {
   window_.begin_frame();
-  GatherWish wish = window_.closed() ? GatherWish::Finish : GatherWish::None;
+  GatherRequest request = window_.closed() ? GatherRequest::Finish : GatherRequest::None;
   for (int key : window_.pressed_keys()) {
     if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_Q || key == GLFW_KEY_ESCAPE) {
-      wish = GatherWish::Finish;
+      request = GatherRequest::Finish;
     }
-    if (key == GLFW_KEY_BACKSPACE) wish = GatherWish::DropLast;
+    if (key == GLFW_KEY_BACKSPACE) request = GatherRequest::DropLast;
     if (key == GLFW_KEY_F || key == GLFW_KEY_F11) window_.set_full_screen(!window_.full_screen());
   }
   if (collector.taken().size() > views_) flash_ = kFlashFrames;
@@ -132,7 +132,7 @@ GatherWish GatherWindow::show(const calib::ViewCollector& collector, const calib
   }
   draw_panel(collector, use, lost);
   window_.show();
-  return wish;
+  return request;
 }
 
 }  // namespace app

@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "app/bridge.h"
-#include "app/live/desktop_window.h"
+#include "app/process/bridge.h"
+#include "app/window/desktop_window.h"
 #include "ar/output/frame_pool.h"
 #include "render/composite/composite_pass.h"
 

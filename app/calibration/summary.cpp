@@ -15,9 +15,9 @@ std::string short_name(const std::string& name) {
   return std::filesystem::path(name).filename().string();
 }
 
-std::string findings_text(const calib::Judgement& judgement) {
+std::string diagnostics_text(const calib::Assessment& assessment) {
   std::string text;
-  for (const calib::Finding& f : judgement.findings) {
+  for (const calib::Diagnostic& f : assessment.diagnostics) {
     text += fmt::format("  {} {}\n      {}\n", f.rejects ? "[rejects]" : "[note]   ", f.what, f.to_do);
   }
   return text;
@@ -71,7 +71,7 @@ std::vector<Outlier> outliers_of(const Calibration& c) {
   std::vector<Outlier> out;
   for (std::size_t v = 0; v < c.solution.views.size(); ++v) {
     const calib::ViewFit& fit = c.solution.views[v];
-    const calib::Sighting& view = c.gathered.sightings.views[v];
+    const calib::Observation& view = c.gathered.observations.views[v];
     for (std::size_t i = 0; i < fit.used.size(); ++i) {
       if (!fit.used[i]) out.push_back({view.name, view.points[i], cv::norm(fit.residual_px[i])});
     }
@@ -84,7 +84,7 @@ calib::CameraNote note_of(const Calibration& c) {
   calib::CameraNote note;
   note.date = c.date;
   note.rms_px = c.solution.rms_px;
-  note.held_out_rms_px = c.judgement.held_out_rms_px;
+  note.held_out_rms_px = c.assessment.held_out_rms_px;
   note.views = static_cast<int>(std::count_if(c.solution.views.begin(), c.solution.views.end(),
                                               [](const calib::ViewFit& v) { return v.any_used(); }));
   for (int i = 0; i < static_cast<int>(c.solution.intrinsics.size()); ++i) {
@@ -96,11 +96,11 @@ calib::CameraNote note_of(const Calibration& c) {
 
 std::string summary_text(const Calibration& c) {
   const calib::Solution& s = c.solution;
-  const calib::Judgement& j = c.judgement;
+  const calib::Assessment& j = c.assessment;
   std::string text = fmt::format("board        {}\n", c.board.description);
-  text +=
-      fmt::format("views        {} used; the board in {} of {} pictures of {}x{}\n", note_of(c).views,
-                  c.gathered.with_board, c.gathered.pictures, c.gathered.sightings.width, c.gathered.sightings.height);
+  text += fmt::format("views        {} used; the board in {} of {} pictures of {}x{}\n", note_of(c).views,
+                      c.gathered.with_board, c.gathered.pictures, c.gathered.observations.width,
+                      c.gathered.observations.height);
   text += trials_text(c);
   text += fmt::format("lens         {}\n", calib::to_string(s.lens));
   const auto names = calib::intrinsics_names(s.lens);
@@ -117,7 +117,7 @@ std::string summary_text(const Calibration& c) {
                   100.0 * j.covered, j.largest_tilt_rad * 180.0 / std::numbers::pi,
                   j.normals_spread_rad * 180.0 / std::numbers::pi);
   text += board_error_text(c) + outliers_text(c);
-  return text + "verdict      " + j.sentence(s) + "\n" + findings_text(j);
+  return text + "verdict      " + j.sentence(s) + "\n" + diagnostics_text(j);
 }
 
 }  // namespace app

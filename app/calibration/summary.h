@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "app/calibration/gather.h"
-#include "calib/camera_file.h"
-#include "calib/cross_validation.h"
-#include "calib/judge.h"
+#include "calib/files/camera_file.h"
+#include "calib/solve/cross_validation.h"
+#include "calib/verdict/quality_gates.h"
 
 namespace app {
 
@@ -17,7 +17,7 @@ struct Calibration {
   calib::SolveOptions options;
   std::vector<calib::LensTrial> trials;  // of --lens auto
   calib::Solution solution;
-  calib::Judgement judgement;
+  calib::Assessment assessment;
   std::string date;
 };
 

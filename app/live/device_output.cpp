@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "ar/error.h"
-#include "ar/output/v4l2_sink.h"
+#include "ar/output/v4l2/v4l2_sink.h"
 
 namespace app {
 namespace {

@@ -8,8 +8,8 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
-#include "app/bridge.h"
 #include "app/live/held_mark.h"
+#include "app/process/bridge.h"
 #include "render/composite/composite_pass.h"
 
 namespace app {
@@ -29,13 +29,13 @@ struct Bounds {
   glm::dvec3 high{-1e9};
 };
 
-Bounds bounds_of_virtual_things(const SceneFile& scene) {
+Bounds bounds_of_virtual_instances(const SceneFile& scene) {
   Bounds bounds;
-  for (const SceneThing& thing : scene.things) {
-    if (thing.real) continue;
-    const glm::dvec3 half = 0.5 * thing.scale * glm::dvec3(thing.model->bounds_max - thing.model->bounds_min);
-    bounds.low = glm::min(bounds.low, thing.position_in_world - half);
-    bounds.high = glm::max(bounds.high, thing.position_in_world + half);
+  for (const SceneInstance& instance : scene.instances) {
+    if (instance.real) continue;
+    const glm::dvec3 half = 0.5 * instance.scale * glm::dvec3(instance.model->bounds_max - instance.model->bounds_min);
+    bounds.low = glm::min(bounds.low, instance.position_in_world - half);
+    bounds.high = glm::max(bounds.high, instance.position_in_world + half);
   }
   if (bounds.low.x > bounds.high.x) return {glm::dvec3(-1.0), glm::dvec3(1.0)};
   return bounds;
@@ -43,7 +43,7 @@ Bounds bounds_of_virtual_things(const SceneFile& scene) {
 
 // From the south and a little above, far enough to have the virtual things fill most of the picture.
 ar::Rigid3 pose_with_all_in_view(const SceneFile& scene) {
-  const Bounds bounds = bounds_of_virtual_things(scene);
+  const Bounds bounds = bounds_of_virtual_instances(scene);
   const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high);
   const double distance = std::max(1.0, 1.2 * glm::length(bounds.high - bounds.low));
   const glm::dvec3 forward = glm::normalize(glm::dvec3(0.0, 1.0, -0.3));

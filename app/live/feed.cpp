@@ -103,10 +103,10 @@ void LiveFeed::note_damage() {
   const std::lock_guard lock(mutex_);
   counts_.missed = before_.missed + now.missed;
   counts_.damaged = before_.damaged + now.damaged;
-  if (counts_.damaged == told_damaged_ || LiveClock::now() - told_at_ < std::chrono::seconds(1)) return;
-  spdlog::warn("{}: {} damaged frames skipped", info_.name, counts_.damaged - told_damaged_);
-  told_damaged_ = counts_.damaged;
-  told_at_ = LiveClock::now();
+  if (counts_.damaged == notified_damaged_ || LiveClock::now() - notified_at_ < std::chrono::seconds(1)) return;
+  spdlog::warn("{}: {} damaged frames skipped", info_.name, counts_.damaged - notified_damaged_);
+  notified_damaged_ = counts_.damaged;
+  notified_at_ = LiveClock::now();
 }
 
 bool LiveFeed::reconnect(const std::stop_token& stop, const std::string& reason) {

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "app/live/latest.h"
-#include "ar/capture/live_source.h"
+#include "ar/capture/live/live_source.h"
 
 namespace app {
 
@@ -88,8 +88,8 @@ class LiveFeed {
 
   std::atomic<bool> gave_up_ = false;
   std::int64_t next_index_ = 0;
-  std::int64_t told_damaged_ = 0;
-  LiveClock::time_point told_at_;
+  std::int64_t notified_damaged_ = 0;
+  LiveClock::time_point notified_at_;
   std::jthread thread_;
 };
 

@@ -13,12 +13,12 @@
 #include "app/live/still_writer.h"
 #include "app/live/tag_states.h"
 #include "app/live/track_stage.h"
-#include "app/live/window.h"
-#include "app/output_files.h"
 #include "app/pipeline/interrupt.h"
 #include "app/pipeline/progress.h"
+#include "app/process/output_files.h"
 #include "app/process/tracked_scene.h"
-#include "ar/capture/camera_list.h"
+#include "app/window/window.h"
+#include "ar/capture/live/camera_list.h"
 #include "ar/error.h"
 #include "ar/place/gpsd.h"
 
@@ -81,7 +81,7 @@ class Session {
   void show_held();
   void hand_on(const ShownPicture& shown);
   void show_in_window(const ShownPicture& shown);
-  void heed(const WindowWishes& wishes, const ShownPicture& shown);
+  void apply(const WindowRequests& requests, const ShownPicture& shown);
   void note_times(const ShownPicture& shown, LiveClock::time_point arrived, LiveClock::time_point drawn);
   void finish();
   void say_how_it_went() const;
@@ -207,17 +207,17 @@ void Session::show_in_window(const ShownPicture& shown) {
                               quality.anti_alias ? ", smooth edges" : "", told_.latency_ms);
   told_.exposure = drawing_.exposure().exposure;
   told_.elapsed_s = drawing_.elapsed_s();
-  const WindowWishes wishes = window_->show(shown, told_, drawing_.settings());
+  const WindowRequests requests = window_->show(shown, told_, drawing_.settings());
   drawing_.make_current();
-  heed(wishes, shown);
+  apply(requests, shown);
 }
 
-void Session::heed(const WindowWishes& wishes, const ShownPicture& shown) {
-  closed_ = closed_ || wishes.close;
+void Session::apply(const WindowRequests& requests, const ShownPicture& shown) {
+  closed_ = closed_ || requests.close;
   try {
-    if (wishes.settings) drawing_.apply(*wishes.settings);
-    if (wishes.still) window_->say(stills_.write(shown));
-    if (!wishes.save) return;
+    if (requests.settings) drawing_.apply(*requests.settings);
+    if (requests.still) window_->say(stills_.write(shown));
+    if (!requests.save) return;
     save_settings(options_.scene, saved_settings_, drawing_.settings(), drawing_.elapsed_s());
     saved_settings_ = drawing_.settings();
     window_->say("written into " + options_.scene.string());

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/output_files.h"
+#include "app/process/output_files.h"
 
 namespace app {
 namespace {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/output_files.h"
+#include "app/process/output_files.h"
 #include "app/scene_file/yaml_edit.h"
 
 namespace app {

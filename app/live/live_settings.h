@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/conditions.h"
+#include "app/process/conditions.h"
 #include "app/scene_file/scene_file.h"
 
 namespace app {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/live/window.h"
+#include "app/window/window.h"
 #include "ar/track/camera.h"
 #include "ar/track/tag_map.h"
 #include "ar/track/tracker.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/error.h"
-#include "app/words.h"
+#include "app/options/words.h"
 
 namespace app {
 
@@ -27,8 +27,8 @@ std::string shafts_help() {
   std::string text = "Light shafts: auto or NAME[:setting=value,...], with NAME of";
   for (const render::ShaftTechniqueInfo& info : render::shaft_techniques()) {
     text += fmt::format("\n{}: {}", info.name, info.summary);
-    for (const render::ShaftKnob& knob : info.knobs)
-      text += fmt::format("\n  {}= {}; {}", knob.name, knob.meaning, knob.accepted());
+    for (const render::ShaftParameter& parameter : info.parameters)
+      text += fmt::format("\n  {}= {}; {}", parameter.name, parameter.meaning, parameter.accepted());
   }
   return text + "\nDefault: the scene's quality.shafts";
 }

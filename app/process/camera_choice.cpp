@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "ar/error.h"
-#include "calib/camera_file.h"
-#include "render/sun/angles.h"
+#include "calib/files/camera_file.h"
+#include "render/base/angles.h"
 
 namespace app {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <numbers>
 
+#include "app/process/scene_state_builder.h"
 #include "app/scene_file/scene_file.h"
-#include "app/scene_state_builder.h"
 
 namespace app {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ar/capture/frame.h"
-#include "render/plan/scene_state.h"
+#include "render/scene/scene_state.h"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/bridge.h"
+#include "app/process/bridge.h"
 
 namespace app {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/live/reservoir.h"
 #include "app/pipeline/pipeline.h"
-#include "app/reservoir.h"
-#include "app/scene_state_builder.h"
+#include "app/process/scene_state_builder.h"
 #include "ar/output/sink.h"
 #include "ar/track/camera.h"
 #include "render/gl/context.h"

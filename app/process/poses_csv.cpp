@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "app/output_files.h"
+#include "app/process/output_files.h"
 
 namespace app {
 

@@ -8,20 +8,20 @@
 #include <memory>
 #include <set>
 
-#include "app/conditions.h"
 #include "app/exit_status.h"
-#include "app/output_files.h"
 #include "app/pipeline/interrupt.h"
 #include "app/pipeline/pipeline.h"
 #include "app/pipeline/progress.h"
+#include "app/process/conditions.h"
 #include "app/process/exposure.h"
 #include "app/process/frame_reader.h"
 #include "app/process/frame_renderer.h"
+#include "app/process/output_files.h"
 #include "app/process/poses_csv.h"
 #include "app/process/report.h"
+#include "app/process/scene_state_builder.h"
 #include "app/process/tracked_scene.h"
 #include "app/scene_file/scene_file.h"
-#include "app/scene_state_builder.h"
 #include "ar/capture/source.h"
 #include "ar/error.h"
 #include "ar/track/tracker.h"
@@ -77,7 +77,7 @@ class Job {
   std::unique_ptr<ar::FrameSink> sink_;
   std::unique_ptr<PosesCsv> poses_;
   RunFacts facts_;
-  std::set<int> strangers_;  // ids seen that the scene does not place
+  std::set<int> unmapped_ids_;  // ids seen that the scene does not place
   std::int64_t encoded_ = 0;
   std::unique_ptr<Progress> progress_;
 };
@@ -111,7 +111,7 @@ TrackedFrame Job::track(ar::Frame frame) {
   ar::Track track = tracker_.track(frame);
   facts_.frames.add(track.state);
   for (const ar::Detection& detection : tracker_.detections()) {
-    if (!scene_.tags->tags.contains(detection.id)) strangers_.insert(detection.id);
+    if (!scene_.tags->tags.contains(detection.id)) unmapped_ids_.insert(detection.id);
   }
   if (poses_) poses_->add(frame.index, frame.time_s, track);
   return {std::move(frame), std::move(track)};
@@ -166,8 +166,8 @@ void Job::say_what_was_seen() const {
                static_cast<double>(frames.total()) / facts_.wall_s);
   if (frames.tracking > 0) return;
   const std::string others =
-      strangers_.empty() ? "no tag of the family either"
-                         : fmt::format("but these ids, which it does not place: {}", fmt::join(strangers_, ", "));
+      unmapped_ids_.empty() ? "no tag of the family either"
+                            : fmt::format("but these ids, which it does not place: {}", fmt::join(unmapped_ids_, ", "));
   spdlog::warn(
       "no tag of the scene was seen in the whole video, {}: its pictures went through unchanged\n"
       "check `tags:` (family {}) and that a whole tag with its white margin is in view",

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "render/scene/whole_file.h"
+#include "render/base/whole_file.h"
 
 namespace app {
 namespace {

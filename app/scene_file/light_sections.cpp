@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/options/words.h"
 #include "app/scene_file/sections.h"
-#include "app/words.h"
-#include "render/sun/angles.h"
+#include "render/base/angles.h"
 
 namespace app {
 namespace {

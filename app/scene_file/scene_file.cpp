@@ -36,12 +36,12 @@ void check_version(const YamlMap& map) {
   version.number("1, the version of this format", [](double x) { return x == 1.0; });
 }
 
-void read_things(const YamlMap& map, SceneFile& scene) {
+void read_instances(const YamlMap& map, SceneFile& scene) {
   if (const auto objects = map.find("objects")) {
-    for (const YamlValue& item : objects->list()) scene.things.push_back(read_object(item));
+    for (const YamlValue& item : objects->list()) scene.instances.push_back(read_object(item));
   }
   if (const auto real = map.find("real")) {
-    for (const YamlValue& item : real->list()) scene.things.push_back(read_real(item));
+    for (const YamlValue& item : real->list()) scene.instances.push_back(read_real(item));
   }
 }
 
@@ -65,7 +65,7 @@ SceneFile load_scene_file(const std::filesystem::path& path) {
   if (const auto value = map.find("sun")) scene.sun = read_sun(*value);
   if (const auto value = map.find("exposure")) scene.exposure = read_exposure(*value);
   if (const auto value = map.find("quality")) scene.quality = read_quality(*value);
-  read_things(map, scene);
+  read_instances(map, scene);
   return scene;
 }
 

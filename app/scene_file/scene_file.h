@@ -42,7 +42,7 @@ struct SceneView {
 };
 
 // One of `objects:` or `real:`; either a model file or a procedural stand-in, already loaded.
-struct SceneThing {
+struct SceneInstance {
   std::string name;
   std::shared_ptr<const render::Model> model;
   glm::dvec3 position_in_world{0.0};
@@ -59,7 +59,7 @@ struct SceneFile {
   std::optional<ar::TagMap> tags;
   SceneSky sky;
   std::optional<render::Medium> medium;
-  std::vector<SceneThing> things;
+  std::vector<SceneInstance> instances;
   std::optional<SceneView> view;
   SceneSun sun;
   std::optional<double> exposure;  // display-linear per cd/m2

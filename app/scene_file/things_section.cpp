@@ -10,7 +10,7 @@
 #include "app/options/shafts.h"
 #include "app/scene_file/sections.h"
 #include "ar/error.h"
-#include "render/sun/angles.h"
+#include "render/base/angles.h"
 
 namespace app {
 namespace {
@@ -29,42 +29,42 @@ std::shared_ptr<const render::Model> read_model(const YamlValue& value) {
   }
 }
 
-void read_placing(const YamlMap& map, SceneThing& thing) {
-  if (const auto position = map.find("position")) thing.position_in_world = read_position(*position);
-  if (const auto heading = map.find("heading_deg")) thing.heading_rad = read_heading_rad(*heading);
-  if (const auto scale = map.find("scale")) thing.scale = read_positive(*scale, "times the model's own size");
+void read_placing(const YamlMap& map, SceneInstance& instance) {
+  if (const auto position = map.find("position")) instance.position_in_world = read_position(*position);
+  if (const auto heading = map.find("heading_deg")) instance.heading_rad = read_heading_rad(*heading);
+  if (const auto scale = map.find("scale")) instance.scale = read_positive(*scale, "times the model's own size");
 }
 
-SceneThing read_box(const YamlValue& value) {
+SceneInstance read_box(const YamlValue& value) {
   const YamlMap map = value.map({"size", "position", "heading_deg"});
   const YamlValue size_value = map.require("size", "[x, y, z] in metres, all above 0");
   const glm::dvec3 size_m = size_value.vector3("[x, y, z] in metres, all above 0");
   if (size_m.x <= 0.0 || size_m.y <= 0.0 || size_m.z <= 0.0) {
     size_value.fail_found("an edge that is not above 0", "[x, y, z] in metres, all above 0");
   }
-  SceneThing thing;
-  thing.name = "box";
-  thing.model = std::make_shared<const render::Model>(render::make_box(glm::vec3(size_m)));
-  read_placing(map, thing);
-  return thing;
+  SceneInstance instance;
+  instance.name = "box";
+  instance.model = std::make_shared<const render::Model>(render::make_box(glm::vec3(size_m)));
+  read_placing(map, instance);
+  return instance;
 }
 
-SceneThing read_plane(const YamlMap& map) {
+SceneInstance read_plane(const YamlMap& map) {
   map.find("plane")->one_of({"ground"});
-  SceneThing thing;
-  thing.name = "ground";
-  thing.model = std::make_shared<const render::Model>(render::make_ground());
-  if (const auto position = map.find("position")) thing.position_in_world = read_position(*position);
-  return thing;
+  SceneInstance instance;
+  instance.name = "ground";
+  instance.model = std::make_shared<const render::Model>(render::make_ground());
+  if (const auto position = map.find("position")) instance.position_in_world = read_position(*position);
+  return instance;
 }
 
-SceneThing read_placed_model(const YamlMap& map) {
+SceneInstance read_placed_model(const YamlMap& map) {
   const YamlValue path = map.require("model", "the path of a .glb or .gltf file");
-  SceneThing thing;
-  thing.model = read_model(path);
-  thing.name = thing.model->name;
-  read_placing(map, thing);
-  return thing;
+  SceneInstance instance;
+  instance.model = read_model(path);
+  instance.name = instance.model->name;
+  read_placing(map, instance);
+  return instance;
 }
 
 }  // namespace
@@ -82,19 +82,19 @@ glm::dvec3 read_position(const YamlValue& value) {
   return value.vector3("[east, north, up] in metres");
 }
 
-SceneThing read_object(const YamlValue& value) {
+SceneInstance read_object(const YamlValue& value) {
   return read_placed_model(value.map({"model", "position", "heading_deg", "scale"}));
 }
 
-SceneThing read_real(const YamlValue& value) {
+SceneInstance read_real(const YamlValue& value) {
   const YamlMap all = value.map({"plane", "box", "model", "position", "heading_deg", "scale"});
   const std::string kind = all.exactly_one_of({"plane", "box", "model"});
-  SceneThing thing;
-  if (kind == "plane") thing = read_plane(value.map({"plane", "position"}));
-  if (kind == "box") thing = read_box(*value.map({"box"}).find("box"));
-  if (kind == "model") thing = read_placed_model(value.map({"model", "position", "heading_deg", "scale"}));
-  thing.real = true;
-  return thing;
+  SceneInstance instance;
+  if (kind == "plane") instance = read_plane(value.map({"plane", "position"}));
+  if (kind == "box") instance = read_box(*value.map({"box"}).find("box"));
+  if (kind == "model") instance = read_placed_model(value.map({"model", "position", "heading_deg", "scale"}));
+  instance.real = true;
+  return instance;
 }
 
 SceneView read_view(const YamlValue& value) {

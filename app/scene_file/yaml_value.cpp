@@ -8,7 +8,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "app/words.h"
+#include "app/options/words.h"
 #include "ar/error.h"
 
 namespace app {

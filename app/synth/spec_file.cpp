@@ -11,7 +11,7 @@
 #include "app/synth/spec.h"
 #include "app/synth/surfaces.h"
 #include "ar/place/place.h"
-#include "calib/camera_file.h"
+#include "calib/files/camera_file.h"
 
 namespace app::synth {
 

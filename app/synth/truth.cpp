@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "ar/place/place.h"
-#include "calib/camera_file.h"
+#include "calib/files/camera_file.h"
 
 namespace app::synth {
 

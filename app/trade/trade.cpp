@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "app/median.h"
-#include "app/trade/thumbnail.h"
+#include "app/report/thumbnail.h"
 #include "render/shafts/shaft_settings.h"
 
 namespace app {
@@ -39,7 +39,7 @@ class Measure {
   struct Seen {
     render::LinearImage linear;
     render::Image shown;
-    render::AirImage air;
+    render::MediumImage medium;
     double pan_change = 0.0;
   };
 
@@ -55,9 +55,9 @@ class Measure {
 
   Seen look(const render::Plan& plan) {
     Seen seen;
-    seen.air = renderer_.render_air(state_, plan);
-    const render::LinearImage turned = renderer_.render_air(panned_, plan).in_scattered();
-    seen.pan_change = render::linear_error(turned, seen.air.in_scattered()).relative_rmse;
+    seen.medium = renderer_.render_medium(state_, plan);
+    const render::LinearImage turned = renderer_.render_medium(panned_, plan).in_scattered();
+    seen.pan_change = render::linear_error(turned, seen.medium.in_scattered()).relative_rmse;
     seen.linear = renderer_.render_linear(state_, plan);
     seen.shown = renderer_.display_image(seen.linear, state_.exposure);
     return seen;
@@ -101,7 +101,7 @@ std::vector<std::string> all_settings(const TradeOptions& options) {
   if (!options.settings.empty()) return options.settings;
   std::vector<std::string> all;
   for (const render::ShaftTechniqueInfo& info : render::shaft_techniques()) {
-    all.insert(all.end(), info.ladder.begin(), info.ladder.end());
+    all.insert(all.end(), info.presets.begin(), info.presets.end());
   }
   return all;
 }
@@ -123,38 +123,38 @@ std::string grade(const TradeRow& row) {
 }
 
 Trade measure_trade(render::Renderer& renderer, const render::SceneState& state, const render::Quality& quality,
-                    const TradeOptions& options, const std::function<void(const std::string&)>& told) {
+                    const TradeOptions& options, const std::function<void(const std::string&)>& notify) {
   Measure measure(renderer, state, quality);
   Trade trade;
   trade.width = state.camera.width;
   trade.height = state.camera.height;
   for (const render::Instance& instance : state.instances) trade.triangles += instance.model->triangle_count();
-  told("the truth: " + options.truth);
+  notify("the truth: " + options.truth);
   const render::Plan truth_plan = measure.plan(options.truth);
   Measure::Seen truth = measure.look(truth_plan);
   trade.truth_settings = options.truth;
   trade.truth_error = renderer.shafts_error();
   trade.truth_pan_change = truth.pan_change;
   trade.truth_thumbnail = thumbnail(truth.shown);
-  const render::LinearImage true_light = truth.air.in_scattered();
+  const render::LinearImage true_light = truth.medium.in_scattered();
   for (const std::string& settings : all_settings(options)) {
     const render::Plan plan = measure.plan(settings);
     const Measure::Seen seen = measure.look(plan);
     TradeRow row;
     row.technique = plan.shafts.technique;
     row.settings = settings;
-    row.linear = render::linear_error(seen.air.in_scattered(), true_light);
-    row.display = render::display_error(seen.shown, truth.shown, truth.air.axis_distance_m);
+    row.linear = render::linear_error(seen.medium.in_scattered(), true_light);
+    row.display = render::display_error(seen.shown, truth.shown, truth.medium.axis_distance_m);
     row.pan_change = seen.pan_change;
     measure.time(plan, options.frames, seen.linear, row);
     row.thumbnail = thumbnail(seen.shown);
     row.difference = thumbnail(render::difference_image(seen.shown, truth.shown));
-    told(fmt::format("{}: {:.1f} ms, relative RMSE {:.2e}, {:.1f} dB, FLIP {:.4f} {}", settings, row.shafts_ms,
-                     row.linear.relative_rmse, row.display.psnr_db, row.display.flip, grade(row)));
+    notify(fmt::format("{}: {:.1f} ms, relative RMSE {:.2e}, {:.1f} dB, FLIP {:.4f} {}", settings, row.shafts_ms,
+                       row.linear.relative_rmse, row.display.psnr_db, row.display.flip, grade(row)));
     trade.rows.push_back(std::move(row));
   }
   mark_pareto(trade.rows);
-  trade.truth = std::move(truth.air);
+  trade.truth = std::move(truth.medium);
   return trade;
 }
 

@@ -35,7 +35,7 @@ struct Trade {
   std::string truth_settings;
   std::optional<render::ShaftError> truth_error;
   double truth_pan_change = 0.0;
-  render::AirImage truth;
+  render::MediumImage truth;
   render::Image truth_thumbnail;
   std::vector<TradeRow> rows;  // technique by technique, each from its cheapest setting to its most accurate
 };
@@ -49,7 +49,7 @@ struct TradeOptions {
 // Measures a scene seen from its own view. `told` hears what is being done, a line at a time. Throws
 // std::runtime_error where the scene has no medium to measure.
 Trade measure_trade(render::Renderer& renderer, const render::SceneState& state, const render::Quality& quality,
-                    const TradeOptions& options, const std::function<void(const std::string&)>& told);
+                    const TradeOptions& options, const std::function<void(const std::string&)>& notify);
 
 // Marks the rows that no other beats in both relative RMSE and time of the shaft pass.
 void mark_pareto(std::vector<TradeRow>& rows);

@@ -10,7 +10,7 @@
 
 namespace ar {
 
-// What the samples of a frame mean. Unknown is a value; guess_color() in ar/capture/color.h is the one place that
+// What the samples of a frame mean. Unknown is a value; guess_color() in ar/capture/color/color.h is the one place that
 // replaces it, and says so.
 enum class ColorMatrix { Unknown, Rgb, Bt601, Bt709, Bt2020 };
 enum class ColorRange { Unknown, Limited, Full };

@@ -1,7 +1,7 @@
 #include "ar/capture/source.h"
 
-#include "ar/capture/image_list.h"
-#include "ar/capture/video_file.h"
+#include "ar/capture/file/image_list.h"
+#include "ar/capture/file/video_file.h"
 
 namespace ar {
 

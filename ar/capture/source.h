@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "ar/capture/color.h"
+#include "ar/capture/color/color.h"
 #include "ar/capture/frame.h"
 
 namespace ar {

@@ -10,7 +10,7 @@ extern "C" {
 #include <algorithm>
 #include <stdexcept>
 
-#include "ar/capture/pixel_format.h"
+#include "ar/capture/color/pixel_format.h"
 
 namespace ar {
 namespace {

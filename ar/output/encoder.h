@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "ar/capture/converter.h"
-#include "ar/capture/ffmpeg.h"
+#include "ar/capture/color/converter.h"
+#include "ar/capture/file/ffmpeg.h"
 #include "ar/output/sink.h"
 
 namespace ar {

@@ -8,7 +8,7 @@ extern "C" {
 
 #include <stdexcept>
 
-#include "ar/capture/pixel_format.h"
+#include "ar/capture/color/pixel_format.h"
 
 namespace ar {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "ar/capture/image_list.h"
+#include "ar/capture/file/image_list.h"
 
 namespace ar {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "ar/capture/converter.h"
+#include "ar/capture/color/converter.h"
 #include "ar/output/frame_pool.h"
 #include "ar/output/sink.h"
 #include "ar/output/temporary_file.h"

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <stdexcept>
 
-#include "ar/capture/image_list.h"
+#include "ar/capture/file/image_list.h"
 #include "ar/error.h"
 #include "ar/output/image_sink.h"
 #include "ar/output/video_sink.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "ar/capture/ffmpeg.h"
+#include "ar/capture/file/ffmpeg.h"
 
 namespace ar {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "ar/capture/metadata.h"
+#include "ar/capture/file/metadata.h"
 
 namespace ar {
 namespace {

@@ -39,10 +39,10 @@ Socket connect_to(const std::string& address) {
   const std::size_t colon = address.rfind(':');
   const std::string host = address.substr(0, colon);
   const std::string port = colon == std::string::npos ? "2947" : address.substr(colon + 1);
-  addrinfo wish{};
-  wish.ai_socktype = SOCK_STREAM;
+  addrinfo request{};
+  request.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
-  if (::getaddrinfo(host.c_str(), port.c_str(), &wish, &found) != 0) found = nullptr;
+  if (::getaddrinfo(host.c_str(), port.c_str(), &request, &found) != 0) found = nullptr;
   const std::unique_ptr<addrinfo, decltype([](addrinfo* list) {
                           if (list != nullptr) ::freeaddrinfo(list);
                         })>

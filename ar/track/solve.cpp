@@ -5,7 +5,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "ar/track/bent_edges.h"
+#include "ar/track/corner_bias.h"
 
 namespace ar {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "render/scene/image_codec.h"
-#include "render/scene/whole_file.h"
+#include "render/base/whole_file.h"
+#include "render/images/image_codec.h"
 
 namespace generator {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "render/scene/image_io.h"
+#include "render/images/image_io.h"
 
 namespace render {
 

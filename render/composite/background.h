@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/plan/scene_state.h"
-#include "render/scene/image_io.h"
+#include "render/images/image_io.h"
+#include "render/scene/scene_state.h"
 
 namespace render {
 

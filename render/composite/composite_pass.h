@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "render/base/picture.h"
 #include "render/composite/layers.h"
-#include "render/composite/picture.h"
 
 namespace render {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/image_io.h"
+#include "render/images/image_io.h"
 
 namespace render {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "render/composite/objects_pass.h"
+#include "render/base/rectangle.h"
 #include "render/gl/texture.h"
-#include "render/plan/scene_state.h"
+#include "render/scene/scene_state.h"
 #include "render/scene/view.h"
 
 namespace render {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "render/composite/ideal_view.h"
-#include "render/composite/objects_pass.h"
 #include "render/gl/program.h"
 #include "render/shafts/shaft_technique.h"
+#include "render/surface/objects_pass.h"
 
 namespace render {
 

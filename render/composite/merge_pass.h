@@ -24,7 +24,7 @@ struct MergedPicture {
   std::vector<MergedPixel> pixels;  // row 0 at the top
 };
 
-// Makes one layer of objects and air, of the ideal picture's size, and brings it to the CPU.
+// Makes one layer of objects and medium, of the ideal picture's size, and brings it to the CPU.
 class MergePass {
  public:
   // Only the pixels of `region` hold anything. The lens of `layers` is left to whoever uses the picture.

@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include "render/composite/picture.h"
+#include "render/base/picture.h"
 
 namespace render {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <glm/vec2.hpp>
 
-#include "render/composite/objects_pass.h"
-#include "render/composite/picture.h"
+#include "render/base/picture.h"
+#include "render/base/rectangle.h"
 
 namespace render {
 

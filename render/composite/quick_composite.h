@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "render/base/picture.h"
 #include "render/composite/merge_pass.h"
-#include "render/composite/picture.h"
 #include "render/scene/view.h"
 
 namespace render {

@@ -5,7 +5,7 @@
 #include "render/composite/layers.h"
 #include "render/gl/buffer.h"
 #include "render/gl/framebuffer.h"
-#include "render/scene/image_io.h"
+#include "render/images/image_io.h"
 
 namespace render {
 

@@ -87,8 +87,8 @@ struct Context::Impl {
     if (eglChooseConfig(display, config_wish, &config, 1, &count) != EGL_TRUE || count < 1) {
       throw std::runtime_error("no OpenGL ES 3 configuration: " + detail::egl_error());
     }
-    const EGLint wish[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 1, EGL_NONE};
-    context = eglCreateContext(display, config, EGL_NO_CONTEXT, wish);
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 1, EGL_NONE};
+    context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
     if (context == EGL_NO_CONTEXT) throw std::runtime_error("no OpenGL ES 3.1 context: " + detail::egl_error());
   }
 };

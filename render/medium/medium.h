@@ -3,6 +3,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "render/base/box.h"
+
 namespace render {
 
 // Phase functions, each integrating to 1 over the sphere. cos_theta is the cosine between the light's direction of
@@ -15,12 +17,6 @@ double phase(PhaseFunction function, double g, double cos_theta);
 // Legendre moments of bands 0, 1, 2: 2 pi integral of p(mu) P_l(mu) over [-1, 1]. Band 0 is 1. A spherical harmonic
 // of band l that scatters comes out multiplied by moment l (Funk-Hecke).
 glm::dvec3 phase_moments(PhaseFunction function, double g);
-
-// An axis-aligned box in the world, metres.
-struct Box {
-  glm::dvec3 min_in_world{0.0};
-  glm::dvec3 max_in_world{0.0};
-};
 
 // Air that thins out upwards: sigma_t(z) = extinction_per_m * exp(-(z - base_m) / scale_height_m).
 struct HeightFalloff {
@@ -44,7 +40,7 @@ struct Medium {
 // sigma_t = 2.996 / visibility (5 % contrast). Throws std::invalid_argument where the visibility is not positive.
 double extinction_from_visibility(double visibility_m);
 
-// Closed form for an unoccluded homogeneous stretch: integral of sigma_t T(t) dt from 0 to d = 1 - exp(-sigma_t d),
+// Closed form for an unoccluded homogeneous segment: integral of sigma_t T(t) dt from 0 to d = 1 - exp(-sigma_t d),
 // accurate for sigma_t d -> 0. Distance may be infinite.
 double scattered_fraction(double extinction_per_m, double distance_m);
 

@@ -11,32 +11,32 @@ namespace {
 
 // What a scene has that passes may be needed for.
 struct Needs {
-  int virtual_things = 0;
-  int real_things = 0;
+  int virtual_instances = 0;
+  int real_instances = 0;
   bool sun = false;
-  bool casters = false;
+  bool occluders = false;
   bool medium = false;
-  bool shafts = false;  // casters that can shade the medium
-  bool glass = false;   // and among them some that tint it
+  bool shafts = false;       // occluders that can shadow the medium
+  bool translucent = false;  // and among them some that tint it
 };
 
-bool can_shade_medium(const SceneState& scene, const std::vector<const Instance*>& casters) {
+bool can_shadow_medium(const SceneState& scene, const std::vector<const Instance*>& occluders) {
   const std::optional<Box>& extent = scene.medium->extent;
-  return std::ranges::any_of(casters,
-                             [&](const Instance* caster) { return !extent || can_shade(*caster, *extent, scene.sun); });
+  return std::ranges::any_of(
+      occluders, [&](const Instance* occluder) { return !extent || can_shadow(*occluder, *extent, scene.sun); });
 }
 
 Needs needs_of(const SceneState& scene) {
   Needs needs;
-  for (const Instance& instance : scene.instances) ++(instance.real ? needs.real_things : needs.virtual_things);
+  for (const Instance& instance : scene.instances) ++(instance.real ? needs.real_instances : needs.virtual_instances);
   needs.sun = std::max({scene.sun.illuminance_rgb.r, scene.sun.illuminance_rgb.g, scene.sun.illuminance_rgb.b}) > 0.0;
-  const std::vector<const Instance*> virtual_casters = casters(scene, Casters::Virtual);
-  const std::vector<const Instance*> real_casters = casters(scene, Casters::Real);
-  needs.casters = !virtual_casters.empty() || !real_casters.empty();
+  const std::vector<const Instance*> virtual_occluders = occluders(scene, Occluders::Virtual);
+  const std::vector<const Instance*> real_occluders = occluders(scene, Occluders::Real);
+  needs.occluders = !virtual_occluders.empty() || !real_occluders.empty();
   needs.medium = scene.medium && scene.medium->extinction_per_m > 0.0;
-  needs.shafts =
-      needs.medium && needs.sun && (can_shade_medium(scene, virtual_casters) || can_shade_medium(scene, real_casters));
-  needs.glass = needs.shafts && !glass_casters(scene).empty();
+  needs.shafts = needs.medium && needs.sun &&
+                 (can_shadow_medium(scene, virtual_occluders) || can_shadow_medium(scene, real_occluders));
+  needs.translucent = needs.shafts && !translucent_occluders(scene).empty();
   return needs;
 }
 
@@ -50,11 +50,11 @@ std::string described(const ShaftSettings& shafts) {
   const ShaftTechniqueInfo* info = find_shaft_technique(shafts.technique);
   if (info == nullptr) return text;
   const char* separator = ": ";
-  for (const ShaftKnob& knob : info->knobs) {
-    const double value = shafts.number(knob.name);
-    text += knob.choices.empty()
-                ? fmt::format("{}{} {:g}", separator, knob.name, value)
-                : fmt::format("{}{} {}", separator, knob.name, knob.choices.at(static_cast<std::size_t>(value)));
+  for (const ShaftParameter& parameter : info->parameters) {
+    const double value = shafts.number(parameter.name);
+    text += parameter.choices.empty() ? fmt::format("{}{} {:g}", separator, parameter.name, value)
+                                      : fmt::format("{}{} {}", separator, parameter.name,
+                                                    parameter.choices.at(static_cast<std::size_t>(value)));
     separator = ", ";
   }
   return text;
@@ -63,7 +63,7 @@ std::string described(const ShaftSettings& shafts) {
 // Whether shafts soften with the way from what casts them: texels are not seen then.
 bool by_disc(const ShaftSettings& shafts) {
   const ShaftTechniqueInfo* info = find_shaft_technique(shafts.technique);
-  return info != nullptr && info->find("sun") != nullptr && shafts.whole("sun") == 1;
+  return info != nullptr && info->find("sun") != nullptr && shafts.integer("sun") == 1;
 }
 
 class Planner {
@@ -81,7 +81,7 @@ class Planner {
     if (!scene_.draw_virtual) {
       omit_all("the camera's pose is not known: the picture passes through");
     } else if (!objects_needed() && !needs_.medium) {
-      omit_all(needs_.real_things > 0
+      omit_all(needs_.real_instances > 0
                    ? "nothing virtual casts a shadow on the real things, and there is no medium: the "
                      "picture passes through"
                    : "the scene has no objects and no medium: the picture passes through");
@@ -89,9 +89,9 @@ class Planner {
       add(PassKind::Upload, "upload", "the part of the picture that changes", "the real picture is composited");
       plan_shadow();
       plan_objects();
-      plan_air_shadow();
+      plan_cascades();
       plan_shafts();
-      plan_glass();
+      plan_translucency();
       add(PassKind::Composite, "composite", "linear light, the source's own encoding",
           "virtual light is laid over the real picture");
       add(PassKind::Read, "read", "the part of the picture that changes; the rest is copied",
@@ -101,14 +101,15 @@ class Planner {
   }
 
  private:
-  bool objects_needed() const { return needs_.virtual_things > 0 || (needs_.real_things > 0 && needs_.medium); }
+  bool objects_needed() const { return needs_.virtual_instances > 0 || (needs_.real_instances > 0 && needs_.medium); }
 
   void add(PassKind kind, std::string name, std::string settings, std::string reason) {
     plan_.passes.push_back({kind, std::move(name), std::move(settings), std::move(reason)});
   }
   void omit(std::string name, std::string reason) { plan_.omitted.push_back({std::move(name), std::move(reason)}); }
   void omit_all(const std::string& reason) {
-    for (const char* name : {"upload", "shadow", "objects", "air shadow", "shafts", "glass", "composite", "read"}) {
+    for (const char* name :
+         {"upload", "shadow", "objects", "cascades", "shafts", "translucency", "composite", "read"}) {
       omit(name, reason);
     }
   }
@@ -126,12 +127,12 @@ class Planner {
 
   void plan_shadow() {
     if (!needs_.sun) return omit("shadow", "no sunlight: the sun is down or has no illuminance");
-    if (!needs_.casters) return omit("shadow", "nothing in the scene casts a shadow");
-    if (needs_.virtual_things == 0 && !needs_.shafts) {
+    if (!needs_.occluders) return omit("shadow", "nothing in the scene casts a shadow");
+    if (needs_.virtual_instances == 0 && !needs_.shafts) {
       return omit("shadow", "no shadow falls on virtual things or into the medium");
     }
     add(PassKind::SunShadow, "shadow",
-        fmt::format("{0} x {0} texels, drawn again only when the sun, a caster or the region they shade changes",
+        fmt::format("{0} x {0} texels, drawn again only when the sun, an occluder or the region they shade changes",
                     quality_.shadow_map_size),
         fmt::format("{} and things that cast shadows", scene_.sun.is_moon ? "moonlight" : "sunlight"));
   }
@@ -139,47 +140,49 @@ class Planner {
   void plan_objects() {
     if (!objects_needed()) return omit("objects", "the scene has no objects");
     std::string reason;
-    if (needs_.virtual_things > 0) reason = count(needs_.virtual_things, "virtual") + " to draw";
-    if (needs_.real_things > 0) {
-      reason += (reason.empty() ? "" : ", ") + count(needs_.real_things, "real") +
-                (needs_.virtual_things > 0 ? " to take shadows and to hide what is behind" : " at which the air ends");
+    if (needs_.virtual_instances > 0) reason = count(needs_.virtual_instances, "virtual") + " to draw";
+    if (needs_.real_instances > 0) {
+      reason +=
+          (reason.empty() ? "" : ", ") + count(needs_.real_instances, "real") +
+          (needs_.virtual_instances > 0 ? " to take shadows and to hide what is behind" : " at which the medium ends");
     }
     add(PassKind::Objects, "objects", quality_.anti_alias ? "4 samples a pixel" : "1 sample a pixel", reason);
   }
 
-  void plan_air_shadow() {
-    if (!needs_.shafts) return omit("air shadow", why_no_shafts());
+  void plan_cascades() {
+    if (!needs_.shafts) return omit("cascades", why_no_shafts());
     const ShaftTechniqueInfo* info = find_shaft_technique(plan_.shafts.technique);
-    if (info == nullptr || !info->shows_texels) {
-      return omit("air shadow", plan_.shafts.technique + " does not show the shadow map's texels");
+    if (info == nullptr || !info->limited_by_shadow_resolution) {
+      return omit("cascades", plan_.shafts.technique + " does not show the shadow map's texels");
     }
-    if (by_disc(plan_.shafts)) return omit("air shadow", "shafts that soften by the sun's disc hide the texels");
-    add(PassKind::AirShadow, "air shadow",
-        fmt::format("{0} x {0} texels over the air that is seen, where that is much less than all; parted by distance "
-                    "where they would look coarse near the eye",
-                    quality_.shadow_map_size),
+    if (by_disc(plan_.shafts)) return omit("cascades", "shafts that soften by the sun's disc hide the texels");
+    add(PassKind::CascadedShadow, "cascades",
+        fmt::format(
+            "{0} x {0} texels over the medium that is seen, where that is much less than all; parted by distance "
+            "where they would look coarse near the eye",
+            quality_.shadow_map_size),
         fmt::format("{} shows the shadow map's texels", plan_.shafts.technique));
   }
 
   std::string why_no_shafts() const {
     if (!scene_.medium) return "the scene has no medium";
     if (!needs_.medium) return "the medium's extinction is zero";
-    if (!needs_.sun) return "no sunlight that casters could carve shafts into";
-    return needs_.casters ? "what casts shadows does not shade the medium" : "nothing in the scene casts a shadow";
+    if (!needs_.sun) return "no sunlight that occluders could carve shafts into";
+    return needs_.occluders ? "what casts shadows does not shade the medium" : "nothing in the scene casts a shadow";
   }
 
-  void plan_glass() {
-    if (needs_.glass) return;
-    omit("glass", needs_.shafts ? "no caster lets coloured light through" : why_no_shafts());
+  void plan_translucency() {
+    if (needs_.translucent) return;
+    omit("translucency", needs_.shafts ? "no occluder lets coloured light through" : why_no_shafts());
   }
 
   void plan_shafts() {
     if (!needs_.medium) return omit("shafts", why_no_shafts());
-    add(PassKind::Shafts, "shafts", described(plan_.shafts) + (needs_.glass ? ", then tinted by glass" : ""),
-        needs_.glass    ? "a medium, casters that carve shafts into the sunlight, and glass that colours it"
-        : needs_.shafts ? "a medium, and casters that carve shafts into the sunlight"
-        : !needs_.sun   ? "a medium lit by the sky alone"
-                        : "a medium with nothing between it and the sun");
+    add(PassKind::Shafts, "shafts", described(plan_.shafts) + (needs_.translucent ? ", then tinted by glass" : ""),
+        needs_.translucent ? "a medium, occluders that carve shafts into the sunlight, and glass that colours it"
+        : needs_.shafts    ? "a medium, and occluders that carve shafts into the sunlight"
+        : !needs_.sun      ? "a medium lit by the sky alone"
+                           : "a medium with nothing between it and the sun");
   }
 
   const SceneState& scene_;

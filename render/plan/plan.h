@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "render/plan/scene_state.h"
 #include "render/plan/shaft_table.h"
+#include "render/scene/scene_state.h"
 #include "render/shafts/shaft_settings.h"
 
 namespace render {
 
-enum class PassKind { Upload, SunShadow, Objects, AirShadow, Shafts, Composite, Read };
+enum class PassKind { Upload, SunShadow, Objects, CascadedShadow, Shafts, Composite, Read };
 
 struct Pass {
   PassKind kind;
@@ -43,7 +43,7 @@ struct Quality {
   int shadow_map_size = 2048;
   bool anti_alias = true;
   bool quick_shadows = false;  // soft shadows from fewer samples
-  // (0, 1]: virtual things and air are drawn in a picture that much smaller, and scaled up over the full real one.
+  // (0, 1]: virtual things and medium are drawn in a picture that much smaller, and scaled up over the full real one.
   double render_scale = 1.0;
 };
 

@@ -18,7 +18,7 @@
 #include "render/gl/read_back.h"
 #include "render/plan/pass_clock.h"
 #include "render/plan/screen_region.h"
-#include "render/shadow/air_shadow.h"
+#include "render/shadow/cascades.h"
 
 namespace render {
 namespace {
@@ -79,7 +79,7 @@ struct BackgroundKey {
 struct Renderer::Impl {
   GpuModels models;
   SunShadow shadow;
-  AirShadow air_shadow;
+  CascadedShadow cascaded_shadow;
   std::optional<ObjectsPass> objects_pass;
   bool anti_alias = true;
   bool quick_shadows = false;
@@ -147,22 +147,22 @@ struct Renderer::Impl {
     run(plan, PassKind::SunShadow, [&] { shadow.update(scene, view, plan.shadow_map_size, models); });
     run(plan, PassKind::Objects, [&] { layers.objects = &objects_pass->draw(scene, view, shadow, models); });
     const GLuint depth = layers.objects != nullptr ? layers.objects->depth : 0;
-    std::span<const AirPart> air;
-    run(plan, PassKind::AirShadow, [&] { air = air_shadow.update(shadow, scene, view, depth, models); });
+    std::span<const Cascade> medium;
+    run(plan, PassKind::CascadedShadow, [&] { medium = cascaded_shadow.update(shadow, scene, view, depth, models); });
     run(plan, PassKind::Shafts, [&] {
       const PixelRect seen = medium_region(view, *scene.medium);
       layers.shafts = &shafts_technique->draw({.scene = scene,
                                                .view = view,
                                                .depth = depth,
                                                .shadow = shadow,
-                                               .air = air,
+                                               .medium = medium,
                                                .region_px = {seen.x, seen.y, seen.width, seen.height},
                                                .with_distance = with_distance || lens.has_value()});
     });
     return layers;
   }
 
-  // What is seen before a background of that luminance, with nothing but air between.
+  // What is seen before a background of that luminance, with nothing but medium between.
   LinearImage before(const CompositeLayers& layers, float luminance, const SceneState& scene) {
     LinearImage plain{layers.view->width, layers.view->height, {}};
     plain.rgb.assign(static_cast<std::size_t>(plain.width) * static_cast<std::size_t>(plain.height),
@@ -246,9 +246,9 @@ LinearImage Renderer::render_linear(const SceneState& scene, const Plan& plan) {
   return image;
 }
 
-AirImage Renderer::render_air(const SceneState& scene, const Plan& plan) {
+MediumImage Renderer::render_medium(const SceneState& scene, const Plan& plan) {
   Impl& impl = *impl_;
-  if (!plan.has(PassKind::Shafts)) throw std::logic_error("render_air: the plan has no shafts");
+  if (!plan.has(PassKind::Shafts)) throw std::logic_error("render_medium: the plan has no shafts");
   impl.clock.begin_frame();
   impl.prepare(plan);
   const View view = impl.view_for(scene.camera);
@@ -264,27 +264,27 @@ AirImage Renderer::render_air(const SceneState& scene, const Plan& plan) {
   const auto white =
       static_cast<float>(1.0 / scene.exposure);  // as bright as the light, so that nothing is rounded off
   const LinearImage through = impl.before(layers, white, scene);
-  AirImage air{.width = light.width, .height = light.height, .rgba = {}, .axis_distance_m = {}};
+  MediumImage medium{.width = light.width, .height = light.height, .rgba = {}, .axis_distance_m = {}};
   for (std::size_t i = 0; i < light.rgb.size(); ++i) {
     const glm::vec3 kept = (through.rgb[i] - light.rgb[i]) / white;
-    air.rgba.emplace_back(light.rgb[i], kept.g);
+    medium.rgba.emplace_back(light.rgb[i], kept.g);
   }
-  if (layers.shafts->width == air.width && layers.shafts->height == air.height) {
-    air.axis_distance_m = gl::read_red(layers.shafts->distance, air.width, air.height);
+  if (layers.shafts->width == medium.width && layers.shafts->height == medium.height) {
+    medium.axis_distance_m = gl::read_red(layers.shafts->distance, medium.width, medium.height);
   }
   impl.models.forget_unused();
-  return air;
+  return medium;
 }
 
 std::optional<ShaftError> Renderer::shafts_error() const {
   return impl_->shafts_technique ? impl_->shafts_technique->error() : std::nullopt;
 }
 
-LinearImage AirImage::in_scattered() const {
+LinearImage MediumImage::in_scattered() const {
   return {width, height, std::vector<glm::vec3>(rgba.begin(), rgba.end())};
 }
 
-LinearImage AirImage::transmittance() const {
+LinearImage MediumImage::transmittance() const {
   LinearImage image{width, height, {}};
   for (const glm::vec4& pixel : rgba) image.rgb.emplace_back(pixel.a);
   return image;

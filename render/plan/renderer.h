@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "render/composite/picture.h"
+#include "render/base/picture.h"
 #include "render/gl/context.h"
+#include "render/images/image_io.h"
 #include "render/plan/plan.h"
-#include "render/scene/image_io.h"
 #include "render/shafts/shaft_technique.h"
 
 namespace render {
 
 // What a medium adds to and takes from a picture, upsampled to its size. Row 0 at the top.
-struct AirImage {
+struct MediumImage {
   int width = 0;
   int height = 0;
   std::vector<glm::vec4> rgba;  // in-scattered luminance_rgb in cd/m2, not exposed; transmittance
@@ -50,7 +50,7 @@ class Renderer {
   LinearImage render_linear(const SceneState& scene, const Plan& plan);
 
   // The shafts alone. The plan has a shaft pass.
-  AirImage render_air(const SceneState& scene, const Plan& plan);
+  MediumImage render_medium(const SceneState& scene, const Plan& plan);
   // Of the last shafts drawn, where their technique estimates its own error.
   std::optional<ShaftError> shafts_error() const;
 

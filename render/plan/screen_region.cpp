@@ -34,12 +34,4 @@ PixelRect medium_region(const View& view, const Medium& medium) {
           static_cast<int>(to.y - from.y)};
 }
 
-PixelRect united(const PixelRect& a, const PixelRect& b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  const int x = std::min(a.x, b.x);
-  const int y = std::min(a.y, b.y);
-  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
-}
-
 }  // namespace render

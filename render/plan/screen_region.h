@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/composite/objects_pass.h"
+#include "render/base/rectangle.h"
 #include "render/medium/medium.h"
 #include "render/scene/view.h"
 
@@ -9,8 +9,5 @@ namespace render {
 // The part of the view in which a medium can be seen: everything for an unbounded one, or where the box reaches behind
 // the near plane; else the rectangle around its projection, clipped to the picture (empty where it is out of view).
 PixelRect medium_region(const View& view, const Medium& medium);
-
-// The smallest rectangle that holds both; an empty one adds nothing.
-PixelRect united(const PixelRect& a, const PixelRect& b);
 
 }  // namespace render

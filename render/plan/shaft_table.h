@@ -31,8 +31,8 @@ struct ShaftDemand {
 
 // With max_error the cheapest setting known to hold it, or the most accurate where none does; with target_ms the most
 // accurate known to fit, or the cheapest; with both, the cheapest that holds the error among those that fit, else the
-// most accurate of those. nullopt where nothing is demanded or known. For air that casters shade: never closed-form,
-// whose light no shaft is cut out of, however little time there is.
+// most accurate of those. nullopt where nothing is demanded or known. For medium that occluders shade: never
+// closed-form, whose light no shaft is cut out of, however little time there is.
 std::optional<ShaftSettings> choose_shafts(const std::vector<ShaftMeasurement>& table, const ShaftDemand& demand,
                                            double pixels);
 

@@ -42,9 +42,9 @@ class Joined {
   std::vector<std::size_t> parent_;
 };
 
-using Place = std::array<float, 3>;
+using PointKey = std::array<float, 3>;
 
-Place place_of(const glm::vec3& p) {
+PointKey key_of(const glm::vec3& p) {
   return {p.x + 0.0F, p.y + 0.0F, p.z + 0.0F};  // -0 is 0
 }
 
@@ -52,7 +52,7 @@ Joined join_vertices(const Mesh& mesh) {
   Joined joined(mesh.vertices.size());
   std::vector<std::uint32_t> order(mesh.vertices.size());
   std::iota(order.begin(), order.end(), 0U);
-  const auto place = [&](std::uint32_t i) { return place_of(mesh.vertices[i].position); };
+  const auto place = [&](std::uint32_t i) { return key_of(mesh.vertices[i].position); };
   std::ranges::sort(order, {}, place);
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (place(order[i]) == place(order[i - 1])) joined.join(order[i], order[i - 1]);
@@ -101,10 +101,10 @@ bool bulges_outwards(const ConvexPiece& piece, double tolerance_m) {
 
 // Every edge is there once in each direction.
 bool closed(const ConvexPiece& piece) {
-  std::set<std::pair<Place, Place>> edges;
+  std::set<std::pair<PointKey, PointKey>> edges;
   for (const Triangle& t : piece.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
-      if (!edges.emplace(place_of(t[i]), place_of(t[(i + 1) % 3])).second) return false;
+      if (!edges.emplace(key_of(t[i]), key_of(t[(i + 1) % 3])).second) return false;
     }
   }
   return std::ranges::all_of(edges, [&](const auto& edge) { return edges.contains({edge.second, edge.first}); });

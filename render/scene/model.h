@@ -8,16 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "render/base/image.h"
 #include "render/scene/convex_piece.h"
 
 namespace render {
-
-// A decoded texture, 8 bits a channel, row 0 at the top (glTF's v = 0).
-struct Image {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> rgba;  // width * height * 4
-};
 
 enum class AlphaMode { Opaque, Mask, Blend };
 enum class TextureWrap { Repeat, Mirror, Clamp };

@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include "render/plan/scene_state.h"
+#include "render/scene/scene_state.h"
 
 namespace render {
 

@@ -9,9 +9,9 @@
 namespace render {
 namespace {
 
-constexpr double kWholeM = 60.0;       // casters up to this size are always in the map as a whole
+constexpr double kWholeM = 60.0;       // occluders up to this size are always in the map as a whole
 constexpr double kSeenM = 100.0;       // and beyond it, what lies this far ahead of the eye
-constexpr double kMarginTexels = 3.0;  // empty texels around the casters, so that the map's edge is lit
+constexpr double kMarginTexels = 3.0;  // empty texels around the occluders, so that the map's edge is lit
 
 struct Bounds {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
@@ -48,7 +48,7 @@ Bounds vertices_in_light(const Instance& instance, const glm::dmat3& light_from_
   Bounds bounds;
   for (std::size_t i = 0; i < instance.model->meshes.size(); ++i) {
     const Mesh& mesh = instance.model->meshes[i];
-    if (to == FitTo::Glass && !is_glass(*instance.model, mesh)) continue;
+    if (to == FitTo::Translucent && !is_translucent(*instance.model, mesh)) continue;
     std::vector<char> out(mesh.vertices.size(), 0);
     for (const ConvexPiece* piece : left_out) {
       if (piece->mesh != i) continue;
@@ -108,7 +108,7 @@ glm::dvec3 anchor_in_world(const SceneState& scene) {
 }
 
 // A flat real thing cannot shade what lies on its sunny side, and hides the rest from an eye on that side.
-bool shades_nothing(const Instance& plane, const SceneState& scene) {
+bool shadows_nothing(const Instance& plane, const SceneState& scene) {
   const glm::dvec3 low = plane.model->bounds_min;
   const glm::dvec3 size = glm::dvec3(plane.model->bounds_max) - low;
   const int axis = size.x < size.y ? (size.x < size.z ? 0 : 2) : (size.y < size.z ? 1 : 2);
@@ -129,25 +129,25 @@ bool shades_nothing(const Instance& plane, const SceneState& scene) {
 
 }  // namespace
 
-std::vector<const Instance*> casters(const SceneState& scene, Casters kind) {
+std::vector<const Instance*> occluders(const SceneState& scene, Occluders kind) {
   std::vector<const Instance*> out;
   for (const Instance& instance : scene.instances) {
-    if (instance.real != (kind == Casters::Real)) continue;
-    if (instance.real && shades_nothing(instance, scene)) continue;
+    if (instance.real != (kind == Occluders::Real)) continue;
+    if (instance.real && shadows_nothing(instance, scene)) continue;
     out.push_back(&instance);
   }
   return out;
 }
 
-bool is_glass(const Model& model, const Mesh& mesh) {
+bool is_translucent(const Model& model, const Mesh& mesh) {
   return model.materials[static_cast<std::size_t>(mesh.material)].alpha_mode == AlphaMode::Blend;
 }
 
-std::vector<const Instance*> glass_casters(const SceneState& scene) {
+std::vector<const Instance*> translucent_occluders(const SceneState& scene) {
   std::vector<const Instance*> out;
   for (const Instance& instance : scene.instances) {
     const Model& model = *instance.model;
-    if (std::ranges::any_of(model.meshes, [&](const Mesh& mesh) { return is_glass(model, mesh); })) {
+    if (std::ranges::any_of(model.meshes, [&](const Mesh& mesh) { return is_translucent(model, mesh); })) {
       out.push_back(&instance);
     }
   }
@@ -165,9 +165,9 @@ glm::dmat3 world_from_light(const glm::dvec3& sun_direction_in_world) {
   return {kCosine * across + kSine * up, kCosine * up - kSine * across, travel};
 }
 
-bool can_shade(const Instance& caster, const Box& box, const Sun& sun) {
-  const Bounds held = box_in_light(caster, glm::dmat3(1.0));  // in the world's axes
-  // Light that leaves a point c of the caster is in the box after a way t where c + t * travel is: where the ray t *
+bool can_shadow(const Instance& occluder, const Box& box, const Sun& sun) {
+  const Bounds held = box_in_light(occluder, glm::dmat3(1.0));  // in the world's axes
+  // Light that leaves a point c of the occluder is in the box after a way t where c + t * travel is: where the ray t *
   // travel meets the box of all differences. The sun's disc spreads it to the sides.
   const double farthest_m = glm::length(glm::max(glm::abs(box.max_in_world - held.low),  //
                                                  glm::abs(held.high - box.min_in_world)));
@@ -190,14 +190,14 @@ bool can_shade(const Instance& caster, const Box& box, const Sun& sun) {
   return enter_m <= leave_m;
 }
 
-std::vector<CasterPiece> pieces_before_their_shade(const std::vector<const Instance*>& casters,
-                                                   const glm::dvec3& sun_direction_in_world,
-                                                   const glm::dvec3& eye_in_world) {
-  std::vector<CasterPiece> out;
-  for (std::size_t i = 0; i < casters.size(); ++i) {
-    const std::vector<ConvexPiece>& pieces = casters[i]->model->convex_pieces;
+std::vector<OccluderPiece> pieces_before_their_shadow(const std::vector<const Instance*>& occluders,
+                                                      const glm::dvec3& sun_direction_in_world,
+                                                      const glm::dvec3& eye_in_world) {
+  std::vector<OccluderPiece> out;
+  for (std::size_t i = 0; i < occluders.size(); ++i) {
+    const std::vector<ConvexPiece>& pieces = occluders[i]->model->convex_pieces;
     if (pieces.empty()) continue;
-    const glm::dmat4 model_from_world = glm::inverse(casters[i]->world_from_model);
+    const glm::dmat4 model_from_world = glm::inverse(occluders[i]->world_from_model);
     const glm::dvec3 eye(model_from_world * glm::dvec4(eye_in_world, 1.0));
     const glm::dvec3 travel(model_from_world * glm::dvec4(-sun_direction_in_world, 0.0));
     for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -207,28 +207,28 @@ std::vector<CasterPiece> pieces_before_their_shade(const std::vector<const Insta
   return out;
 }
 
-ShadowFit fit_shadow(const SceneState& scene, const View& view, const std::vector<const Instance*>& casters,
-                     int size_px, FitTo to, const std::vector<CasterPiece>& left_out) {
+ShadowFit fit_shadow(const SceneState& scene, const View& view, const std::vector<const Instance*>& occluders,
+                     int size_px, FitTo to, const std::vector<OccluderPiece>& left_out) {
   ShadowFit fit;
-  if (casters.empty()) return fit;
+  if (occluders.empty()) return fit;
   const glm::dmat3 light_from_world = glm::transpose(world_from_light(scene.sun.direction_in_world));
   const Bounds region = region_of_interest(scene, view, light_from_world);
   Bounds all;
-  for (std::size_t i = 0; i < casters.size(); ++i) {
-    const Instance& caster = *casters[i];
+  for (std::size_t i = 0; i < occluders.size(); ++i) {
+    const Instance& occluder = *occluders[i];
     std::vector<const ConvexPiece*> without;
-    for (const CasterPiece& out : left_out) {
-      if (out.caster == i) without.push_back(&caster.model->convex_pieces[out.piece]);
+    for (const OccluderPiece& out : left_out) {
+      if (out.occluder == i) without.push_back(&occluder.model->convex_pieces[out.piece]);
     }
-    const bool by_vertices = to == FitTo::Glass || !without.empty();
-    Bounds bounds =
-        by_vertices ? vertices_in_light(caster, light_from_world, to, without) : box_in_light(caster, light_from_world);
+    const bool by_vertices = to == FitTo::Translucent || !without.empty();
+    Bounds bounds = by_vertices ? vertices_in_light(occluder, light_from_world, to, without)
+                                : box_in_light(occluder, light_from_world);
     if (bounds.empty()) continue;
     if (large(bounds)) {
       cut_to(bounds, region);
       fit.cut = true;
     } else if (!by_vertices) {
-      bounds = vertices_in_light(caster, light_from_world, to, without);
+      bounds = vertices_in_light(occluder, light_from_world, to, without);
     }
     all.add(bounds.low);
     all.add(bounds.high);
@@ -239,7 +239,7 @@ ShadowFit fit_shadow(const SceneState& scene, const View& view, const std::vecto
   glm::dvec3 size(0.0, 0.0, all.size().z + 0.02);
   glm::dvec3 low(0.0, 0.0, all.low.z - 0.01);
   for (int axis = 0; axis < 2; ++axis) {
-    // Sizes in steps of 1/8 octave, so that moving casters seldom change the texel.
+    // Sizes in steps of 1/8 octave, so that moving occluders seldom change the texel.
     const double within_px = std::max(size_px - 2.0 * kMarginTexels - 1.0, 0.5 * size_px);  // of a tiny map, half
     const double needed = std::max(all.size()[axis], 1e-3) * size_px / within_px;
     size[axis] = std::exp2(std::ceil(8.0 * std::log2(needed)) / 8.0);

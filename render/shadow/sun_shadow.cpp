@@ -10,21 +10,21 @@
 #include "render/gl/framebuffer.h"
 #include "render/gl/texture.h"
 #include "render/shadow/depth_bounds.h"
-#include "render/shadow/glass_shadow.h"
+#include "render/shadow/translucent_shadow.h"
 
 namespace render {
 namespace {
 
 // What a map was rendered from, to tell whether anything changed since.
-struct CasterKey {
+struct OccluderKey {
   const Model* model = nullptr;
   glm::dmat4 world_from_model{1.0};
-  bool operator==(const CasterKey&) const = default;
+  bool operator==(const OccluderKey&) const = default;
 };
 
-std::vector<CasterKey> keys_of(const std::vector<const Instance*>& casters) {
-  std::vector<CasterKey> keys;
-  for (const Instance* caster : casters) keys.push_back({caster->model.get(), caster->world_from_model});
+std::vector<OccluderKey> keys_of(const std::vector<const Instance*>& occluders) {
+  std::vector<OccluderKey> keys;
+  for (const Instance* occluder : occluders) keys.push_back({occluder->model.get(), occluder->world_from_model});
   return keys;
 }
 
@@ -32,12 +32,12 @@ glm::dvec2 texel_m(const ShadowMap& map) {
   return glm::dvec2(map.fit.metres_per_unit) / static_cast<double>(map.size_px);
 }
 
-// How far down the light, in metres, receivers of a map's shadow lie: its casters' depth, and half of it beyond them.
+// How far down the light, in metres, receivers of a map's shadow lie: its occluders' depth, and half of it beyond them.
 double shadow_length_m(const ShadowMap& map) {
   return 1.5 * map.fit.metres_per_unit.z;
 }
 
-// Air does with 16 bits of depth, half the memory to read, where a step of it is a small part of a texel.
+// A medium does with 16 bits of depth, half the memory to read, where a step of it is a small part of a texel.
 GLenum part_format(const ShadowFit& part, int size_px) {
   const double texel_m = std::min(part.metres_per_unit.x, part.metres_per_unit.y) / size_px;
   const double step_m = part.metres_per_unit.z / 65535.0;
@@ -61,20 +61,20 @@ struct SunShadow::Impl {
     gl::Framebuffer framebuffer;
     DepthBounds bounds;
     ShadowMap map;
-    std::vector<CasterKey> keys;
-    std::vector<CasterPiece> left_out;  // of the fit
+    std::vector<OccluderKey> keys;
+    std::vector<OccluderPiece> left_out;  // of the fit
     glm::dvec3 sun_direction{0.0};
     double disc_slope = 0.0;
     bool rendered = false;
     unsigned whole_revision = 0;  // of the map that this one is a part of
   };
 
-  gl::Program opaque{"shadow/caster.vert", "shadow/caster.frag"};
-  gl::Program masked{"shadow/caster.vert", "shadow/caster.frag", {{"ALPHA_MASK"}}};
+  gl::Program opaque{"shadow/occluder.vert", "shadow/occluder.frag"};
+  gl::Program masked{"shadow/occluder.vert", "shadow/occluder.frag", {{"ALPHA_MASK"}}};
   gl::VertexArray no_vertices;
   GLuint plain_sampler = 0;
   std::array<Slot, 2> slots;
-  GlassShadow glass;
+  TranslucentShadow translucent;
 
   Impl() {
     glGenSamplers(1, &plain_sampler);
@@ -88,21 +88,21 @@ struct SunShadow::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  Slot& slot(Casters kind) { return slots[kind == Casters::Virtual ? 0 : 1]; }
+  Slot& slot(Occluders kind) { return slots[kind == Occluders::Virtual ? 0 : 1]; }
 
-  bool update(Slot& slot, const SceneState& scene, const View& view, const std::vector<const Instance*>& casters,
+  bool update(Slot& slot, const SceneState& scene, const View& view, const std::vector<const Instance*>& occluders,
               int size_px, GpuModels& models) {
-    const int size = casters.empty() ? 1 : size_px;
-    const std::vector<CasterKey> keys = keys_of(casters);
+    const int size = occluders.empty() ? 1 : size_px;
+    const std::vector<OccluderKey> keys = keys_of(occluders);
     const double disc_slope = std::tan(scene.sun.angular_radius_rad);
     // The disc's size follows the earth's distance from the sun, by some 1e-10 of it in a frame.
     const bool same = slot.rendered && keys == slot.keys && slot.map.size_px == size &&
-                      (casters.empty() || (sun_stands(slot.map, slot.sun_direction, scene.sun.direction_in_world) &&
-                                           std::abs(slot.disc_slope - disc_slope) <= 1e-6 * disc_slope));
-    const std::vector<CasterPiece> left_out =
-        pieces_before_their_shade(casters, scene.sun.direction_in_world, view.eye_in_world);
+                      (occluders.empty() || (sun_stands(slot.map, slot.sun_direction, scene.sun.direction_in_world) &&
+                                             std::abs(slot.disc_slope - disc_slope) <= 1e-6 * disc_slope));
+    const std::vector<OccluderPiece> left_out =
+        pieces_before_their_shadow(occluders, scene.sun.direction_in_world, view.eye_in_world);
     if (same && !slot.map.fit.cut && left_out == slot.left_out) return false;
-    const ShadowFit fit = fit_shadow(scene, view, casters, size, FitTo::Casters, left_out);
+    const ShadowFit fit = fit_shadow(scene, view, occluders, size, FitTo::Occluders, left_out);
     slot.left_out = left_out;
     if (same && fit == slot.map.fit) return false;
     slot.keys = keys;
@@ -112,13 +112,13 @@ struct SunShadow::Impl {
     slot.rendered = true;
     ++slot.map.revision;
     make_storage(slot, size, GL_DEPTH_COMPONENT32F);
-    draw(slot, casters, models);
+    draw(slot, occluders, models);
     bound(slot);
     return true;
   }
 
   // Of the map in `whole`.
-  bool update_part(Slot& slot, const Slot& whole, const ShadowFit& part, const std::vector<const Instance*>& casters,
+  bool update_part(Slot& slot, const Slot& whole, const ShadowFit& part, const std::vector<const Instance*>& occluders,
                    GpuModels& models) {
     if (slot.rendered && slot.whole_revision == whole.map.revision && slot.map.fit == part &&
         slot.map.size_px == whole.map.size_px) {
@@ -130,7 +130,7 @@ struct SunShadow::Impl {
     slot.rendered = true;
     ++slot.map.revision;
     make_storage(slot, whole.map.size_px, part_format(part, whole.map.size_px));
-    draw(slot, casters, models);
+    draw(slot, occluders, models);
     return true;
   }
 
@@ -143,7 +143,7 @@ struct SunShadow::Impl {
     slot.map.size_px = size;
   }
 
-  void draw(Slot& slot, const std::vector<const Instance*>& casters, GpuModels& models) {
+  void draw(Slot& slot, const std::vector<const Instance*>& occluders, GpuModels& models) {
     slot.framebuffer.bind();
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
@@ -161,11 +161,11 @@ struct SunShadow::Impl {
     }
     const glm::dmat4 clip_from_map =
         glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) * glm::scale(glm::dmat4(1.0), glm::dvec3(2.0));
-    for (const Instance* caster : casters) {
-      const glm::mat4 clip_from_model(clip_from_map * slot.map.fit.map_from_world * caster->world_from_model);
+    for (const Instance* occluder : occluders) {
+      const glm::mat4 clip_from_model(clip_from_map * slot.map.fit.map_from_world * occluder->world_from_model);
       opaque.set("map_clip_from_model", clip_from_model);
       masked.set("map_clip_from_model", clip_from_model);
-      const GpuModel& model = models.get(caster->model);
+      const GpuModel& model = models.get(occluder->model);
       for (const GpuModel::MeshRange& mesh : model.meshes()) {
         if (model.material(mesh.material).alpha_mode == AlphaMode::Blend) continue;  // GlassShadow's
         use_program_for(model, mesh.material);
@@ -204,10 +204,10 @@ SunShadow::~SunShadow() = default;
 
 bool SunShadow::update(const SceneState& scene, const View& view, int size_px, GpuModels& models) {
   bool drawn = false;
-  for (const Casters kind : kCasterKinds) {
-    drawn |= impl_->update(impl_->slot(kind), scene, view, casters(scene, kind), size_px, models);
+  for (const Occluders kind : kOccluderKinds) {
+    drawn |= impl_->update(impl_->slot(kind), scene, view, occluders(scene, kind), size_px, models);
   }
-  drawn |= impl_->glass.update(scene, view, size_px, models);
+  drawn |= impl_->translucent.update(scene, view, size_px, models);
   return drawn;
 }
 
@@ -215,27 +215,27 @@ bool SunShadow::update_parts(const SunShadow& whole, const std::array<ShadowFit,
                              GpuModels& models) {
   bool drawn = false;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Casters kind = kCasterKinds[i];
-    drawn |= impl_->update_part(impl_->slot(kind), whole.impl_->slot(kind), parts[i], casters(scene, kind), models);
+    const Occluders kind = kOccluderKinds[i];
+    drawn |= impl_->update_part(impl_->slot(kind), whole.impl_->slot(kind), parts[i], occluders(scene, kind), models);
   }
   return drawn;
 }
 
-const ShadowMap& SunShadow::map(Casters kind) const {
+const ShadowMap& SunShadow::map(Occluders kind) const {
   return impl_->slot(kind).map;
 }
 
-const GlassMap& SunShadow::glass() const {
-  return impl_->glass.map();
+const TranslucentMap& SunShadow::translucent() const {
+  return impl_->translucent.map();
 }
 
-void SunShadow::bind_glass(const View& view, const gl::Program& program, int first_unit) const {
-  impl_->glass.bind(view, program, first_unit);
+void SunShadow::bind_translucent(const View& view, const gl::Program& program, int first_unit) const {
+  impl_->translucent.bind(view, program, first_unit);
 }
 
-void SunShadow::bind(Casters kind, const View& view, const gl::Program& program, int first_unit) const {
+void SunShadow::bind(Occluders kind, const View& view, const gl::Program& program, int first_unit) const {
   const Impl::Slot& slot = impl_->slot(kind);
-  const std::string prefix = kind == Casters::Virtual ? "virtual_" : "real_";
+  const std::string prefix = kind == Occluders::Virtual ? "virtual_" : "real_";
   slot.depth.bind(first_unit);
   slot.depth.bind(first_unit + 1);
   glBindSampler(static_cast<GLuint>(first_unit + 1), impl_->plain_sampler);
@@ -248,15 +248,15 @@ void SunShadow::bind(Casters kind, const View& view, const gl::Program& program,
   program.set(prefix + "texel", 1.0F / static_cast<float>(slot.map.size_px));
 }
 
-void SunShadow::bind_bounds(Casters kind, const gl::Program& program, int unit) const {
+void SunShadow::bind_bounds(Occluders kind, const gl::Program& program, int unit) const {
   const Impl::Slot& slot = impl_->slot(kind);
-  const std::string prefix = kind == Casters::Virtual ? "virtual_" : "real_";
+  const std::string prefix = kind == Occluders::Virtual ? "virtual_" : "real_";
   slot.bounds.texture().bind(unit);
   program.set(prefix + "bounds", unit);
   program.set(prefix + "reach", slot.bounds.reach_texels() / static_cast<float>(slot.map.size_px));
 }
 
-void SunShadow::bind_depth(Casters kind, int unit) const {
+void SunShadow::bind_depth(Occluders kind, int unit) const {
   impl_->slot(kind).depth.bind(unit);
   glBindSampler(static_cast<GLuint>(unit), impl_->plain_sampler);
 }

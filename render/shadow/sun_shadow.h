@@ -7,15 +7,15 @@
 #include <memory>
 #include <vector>
 
+#include "render/gl/gpu_model.h"
 #include "render/gl/program.h"
-#include "render/plan/scene_state.h"
-#include "render/scene/gpu_model.h"
+#include "render/scene/scene_state.h"
 #include "render/scene/view.h"
 #include "render/shadow/shadow_fit.h"
 
 namespace render {
 
-// A depth map (DEPTH_COMPONENT32F, or 16 for the air alone; compare mode LEQUAL, linear filter) and where it looks.
+// A depth map (DEPTH_COMPONENT32F, or 16 for the medium alone; compare mode LEQUAL, linear filter) and where it looks.
 struct ShadowMap {
   GLuint depth_texture = 0;
   int size_px = 0;
@@ -25,7 +25,7 @@ struct ShadowMap {
 
 // What tints the light: blended materials, as stained glass. Behind the first of them on the light's way their light is
 // what all of them together let through.
-struct GlassMap {
+struct TranslucentMap {
   int size_px = 0;
   ShadowFit fit;  // empty: there is no glass
 };
@@ -38,32 +38,32 @@ class SunShadow {
   SunShadow(const SunShadow&) = delete;
   SunShadow& operator=(const SunShadow&) = delete;
 
-  // Renders what changed since the last call (sun, casters, their places, map size); nothing otherwise. A sun that has
-  // moved its shadows by less than a quarter of a texel has not changed.
-  // Returns whether anything was rendered. Leaves framebuffer, viewport, program and depth state changed.
+  // Renders what changed since the last call (sun, occluders, their places, map size); nothing otherwise. A sun that
+  // has moved its shadows by less than a quarter of a texel has not changed. Returns whether anything was rendered.
+  // Leaves framebuffer, viewport, program and depth state changed.
   bool update(const SceneState& scene, const View& view, int size_px, GpuModels& models);
 
-  // The casters that `whole` (up to date with `scene`) was rendered from, over those parts of its maps, in the order of
-  // kCasterKinds; with as many texels. Glass and the bounds of depths are left out. Else as update().
+  // The occluders that `whole` (up to date with `scene`) was rendered from, over those parts of its maps, in the order
+  // of kOccluderKinds; with as many texels. Glass and the bounds of depths are left out. Else as update().
   bool update_parts(const SunShadow& whole, const std::array<ShadowFit, 2>& parts, const SceneState& scene,
                     GpuModels& models);
 
   // fit.empty where nothing of that kind casts a shadow; the texture is then a single lit texel.
-  const ShadowMap& map(Casters kind) const;
+  const ShadowMap& map(Occluders kind) const;
 
-  const GlassMap& glass() const;
-  // The glass's depth and tint to two texture units, and the uniforms of shaders/shadow/glass.glsl.
-  void bind_glass(const View& view, const gl::Program& program, int first_unit) const;
+  const TranslucentMap& translucent() const;
+  // The glass's depth and tint to two texture units, and the uniforms of shaders/shadow/translucent.glsl.
+  void bind_translucent(const View& view, const gl::Program& program, int first_unit) const;
 
   // Binds the map to texture units `first_unit` (compared) and `first_unit + 1` (plain depth) and sets the uniforms
   // that shaders/shadow/sun_map.glsl declares for it. `prefix` is "virtual" or "real".
-  void bind(Casters kind, const View& view, const gl::Program& program, int first_unit) const;
+  void bind(Occluders kind, const View& view, const gl::Program& program, int first_unit) const;
   static void unbind(int first_unit);  // lets go of the units' samplers
   // Binds the plain depth alone; 0 to 1, an empty texel holds 1. unbind_depth() lets go of the unit's sampler.
-  void bind_depth(Casters kind, int unit) const;
+  void bind_depth(Occluders kind, int unit) const;
   static void unbind_depth(int unit);
   // The same as bind() for the bounds of its depths (DepthBounds), on one texture unit.
-  void bind_bounds(Casters kind, const gl::Program& program, int unit) const;
+  void bind_bounds(Occluders kind, const gl::Program& program, int unit) const;
 
  private:
   struct Impl;

@@ -18,49 +18,51 @@ std::string names_of_techniques() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string knobs_of(const ShaftTechniqueInfo& info) {
+std::string parameters_of(const ShaftTechniqueInfo& info) {
   std::vector<std::string> words;
-  for (const ShaftKnob& knob : info.knobs) words.push_back(fmt::format("{}= ({})", knob.name, knob.accepted()));
+  for (const ShaftParameter& parameter : info.parameters)
+    words.push_back(fmt::format("{}= ({})", parameter.name, parameter.accepted()));
   return words.empty() ? "no settings" : fmt::format("{}", fmt::join(words, ", "));
 }
 
-double read_value(const ShaftKnob& knob, const std::string& text) {
-  if (!knob.choices.empty()) {
-    const auto found = std::ranges::find(knob.choices, text);
-    if (found != knob.choices.end()) return static_cast<double>(found - knob.choices.begin());
+double read_value(const ShaftParameter& parameter, const std::string& text) {
+  if (!parameter.choices.empty()) {
+    const auto found = std::ranges::find(parameter.choices, text);
+    if (found != parameter.choices.end()) return static_cast<double>(found - parameter.choices.begin());
   } else {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool read = error == std::errc() && end == text.data() + text.size();
-    if (read && value >= knob.low && value <= knob.high && (!knob.whole || value == std::floor(value))) return value;
+    if (read && value >= parameter.low && value <= parameter.high && (!parameter.integer || value == std::floor(value)))
+      return value;
   }
-  throw std::invalid_argument(fmt::format("{}: found '{}'; accepted: {}", knob.name, text, knob.accepted()));
+  throw std::invalid_argument(fmt::format("{}: found '{}'; accepted: {}", parameter.name, text, parameter.accepted()));
 }
 
 void read_setting(const ShaftTechniqueInfo& info, const std::string& text, ShaftSettings& settings) {
   const auto equals = text.find('=');
   const std::string key = text.substr(0, equals);
-  const ShaftKnob* knob = info.find(key);
-  if (knob == nullptr) {
+  const ShaftParameter* parameter = info.find(key);
+  if (parameter == nullptr) {
     throw std::invalid_argument(
-        fmt::format("{}: found the setting '{}'; accepted: {}", info.name, text, knobs_of(info)));
+        fmt::format("{}: found the setting '{}'; accepted: {}", info.name, text, parameters_of(info)));
   }
-  const double value = read_value(*knob, equals == std::string::npos ? "" : text.substr(equals + 1));
-  if (!settings.knobs.emplace(key, value).second) {
+  const double value = read_value(*parameter, equals == std::string::npos ? "" : text.substr(equals + 1));
+  if (!settings.parameters.emplace(key, value).second) {
     throw std::invalid_argument(fmt::format("{}: found '{}' twice; accepted: each setting once", info.name, key));
   }
 }
 
 }  // namespace
 
-std::string ShaftKnob::accepted() const {
+std::string ShaftParameter::accepted() const {
   if (!choices.empty()) return fmt::format("{}", fmt::join(choices, " or "));
-  return fmt::format("{} from {:g} to {:g}", whole ? "a whole number" : "a number", low, high);
+  return fmt::format("{} from {:g} to {:g}", integer ? "a whole number" : "a number", low, high);
 }
 
-const ShaftKnob* ShaftTechniqueInfo::find(std::string_view knob) const {
-  const auto found = std::ranges::find(knobs, knob, &ShaftKnob::name);
-  return found == knobs.end() ? nullptr : &*found;
+const ShaftParameter* ShaftTechniqueInfo::find(std::string_view parameter) const {
+  const auto found = std::ranges::find(parameters, parameter, &ShaftParameter::name);
+  return found == parameters.end() ? nullptr : &*found;
 }
 
 const ShaftTechniqueInfo* find_shaft_technique(std::string_view name) {
@@ -68,12 +70,12 @@ const ShaftTechniqueInfo* find_shaft_technique(std::string_view name) {
   return found == shaft_techniques().end() ? nullptr : &*found;
 }
 
-double ShaftSettings::number(std::string_view knob) const {
-  if (const auto found = knobs.find(knob); found != knobs.end()) return found->second;
+double ShaftSettings::number(std::string_view parameter) const {
+  if (const auto found = parameters.find(parameter); found != parameters.end()) return found->second;
   const ShaftTechniqueInfo* info = find_shaft_technique(technique);
-  const ShaftKnob* known = info == nullptr ? nullptr : info->find(knob);
-  if (known == nullptr) throw std::logic_error(fmt::format("shafts: {} has no setting '{}'", technique, knob));
-  return known->standard;
+  const ShaftParameter* known = info == nullptr ? nullptr : info->find(parameter);
+  if (known == nullptr) throw std::logic_error(fmt::format("shafts: {} has no setting '{}'", technique, parameter));
+  return known->default_value;
 }
 
 ShaftSettings parse_shaft_settings(const std::string& text) {
@@ -94,10 +96,10 @@ std::string to_text(const ShaftSettings& settings) {
   std::string text = settings.technique;
   const ShaftTechniqueInfo* info = find_shaft_technique(settings.technique);
   char separator = ':';
-  for (const auto& [name, value] : settings.knobs) {
-    const ShaftKnob* knob = info == nullptr ? nullptr : info->find(name);
-    const bool choice = knob != nullptr && !knob->choices.empty();
-    text += choice ? fmt::format("{}{}={}", separator, name, knob->choices.at(static_cast<std::size_t>(value)))
+  for (const auto& [name, value] : settings.parameters) {
+    const ShaftParameter* parameter = info == nullptr ? nullptr : info->find(name);
+    const bool choice = parameter != nullptr && !parameter->choices.empty();
+    text += choice ? fmt::format("{}{}={}", separator, name, parameter->choices.at(static_cast<std::size_t>(value)))
                    : fmt::format("{}{}={:g}", separator, name, value);
     separator = ',';
   }

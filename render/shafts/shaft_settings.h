@@ -13,23 +13,24 @@ class ShaftTechnique;
 // How the shafts are to be computed, as `--shafts NAME[:key=value,...]` says.
 struct ShaftSettings {
   std::string technique = "auto";  // a name of shaft_techniques(), or "auto": the planner chooses
-  std::map<std::string, double, std::less<>> knobs = {};  // those set by name; a choice counts from 0
+  std::map<std::string, double, std::less<>> parameters = {};  // those set by name; a choice counts from 0
 
-  // The knob's value: as set, else its standard one. Throws std::logic_error where the technique has no such knob.
-  double number(std::string_view knob) const;
-  int whole(std::string_view knob) const { return static_cast<int>(number(knob)); }
+  // The parameter's value: as set, else its standard one. Throws std::logic_error where the technique has no such
+  // parameter.
+  double number(std::string_view parameter) const;
+  int integer(std::string_view parameter) const { return static_cast<int>(number(parameter)); }
 
   bool operator==(const ShaftSettings&) const = default;
 };
 
 // One thing that a technique can be set by: a number within [low, high], or one of `choices`.
-struct ShaftKnob {
+struct ShaftParameter {
   std::string name;
   std::string meaning;  // for people, with the unit
   double low = 0.0;
   double high = 0.0;
-  double standard = 0.0;
-  bool whole = false;
+  double default_value = 0.0;
+  bool integer = false;
   std::vector<std::string> choices = {};
 
   std::string accepted() const;  // "a whole number from 1 to 8", "distance, depth or growing"
@@ -38,13 +39,14 @@ struct ShaftKnob {
 struct ShaftTechniqueInfo {
   std::string name;
   std::string summary;  // what it does and whose it is
-  std::vector<ShaftKnob> knobs;
-  std::vector<std::string> ladder;  // settings from the cheapest to the most accurate, as parse_shaft_settings() reads
+  std::vector<ShaftParameter> parameters;
+  std::vector<std::string> presets;  // settings from the cheapest to the most accurate, as parse_shaft_settings() reads
   std::unique_ptr<ShaftTechnique> (*make)(const ShaftSettings&);
-  bool shows_texels = false;  // its error is that of the shadow map's texels: the air gets a finer one (AirShadow)
-  bool knows_glass = false;   // else its pictures are tinted by glass afterwards (glass_tint.h)
+  bool limited_by_shadow_resolution =
+      false;  // its error is that of the shadow map's texels: the medium gets a finer one (CascadedShadow)
+  bool handles_translucency = false;  // else its pictures are tinted by glass afterwards (glass_tint.h)
 
-  const ShaftKnob* find(std::string_view knob) const;
+  const ShaftParameter* find(std::string_view parameter) const;
 };
 
 // Every technique there is. `auto` is none of them.

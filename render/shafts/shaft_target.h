@@ -23,8 +23,8 @@ void draw_row_groups(const gl::VertexArray& no_vertices, int rows);
 
 // The state that all passes of the techniques draw in: no depth test, no blending, no scissor.
 void plain_state();
-// Of several parts of the air, what is drawn next is that one's: added to what the first has left. plain_state() ends
-// it.
+// Of several parts of the medium, what is drawn next is that one's: added to what the first has left. plain_state()
+// ends it.
 void add_up(std::size_t part);
 
 // Where a technique's last pass draws: light and transmittance, and the distance along the axis (as shade.frag).

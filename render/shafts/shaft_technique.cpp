@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "render/shafts/glass_tint.h"
+#include "render/shafts/translucent_tint.h"
 
 namespace render {
 
@@ -12,8 +12,8 @@ std::unique_ptr<ShaftTechnique> make_shaft_technique(const ShaftSettings& settin
   const ShaftTechniqueInfo* info = find_shaft_technique(settings.technique);
   if (info == nullptr) throw std::runtime_error(fmt::format("unknown shaft technique '{}'", settings.technique));
   std::unique_ptr<ShaftTechnique> technique = info->make(settings);
-  if (info->knows_glass) return technique;
-  return std::make_unique<GlassTint>(std::move(technique));
+  if (info->handles_translucency) return technique;
+  return std::make_unique<TranslucentTint>(std::move(technique));
 }
 
 }  // namespace render

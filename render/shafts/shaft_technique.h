@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "render/plan/scene_state.h"
+#include "render/scene/scene_state.h"
 #include "render/scene/view.h"
-#include "render/shadow/air_shadow.h"
+#include "render/shadow/cascades.h"
 #include "render/shadow/sun_shadow.h"
 #include "render/shafts/shaft_settings.h"
 
@@ -21,17 +21,17 @@ struct ShaftInputs {
   const View& view;         // the ideal picture that `depth` belongs to
   GLuint depth = 0;         // ideal depth, view.width x view.height (View says what it means); 0: nothing in view
   const SunShadow& shadow;  // up to date with `scene`
-  std::span<const AirPart> air = {};  // AirShadow's, for techniques that gain by it (ShaftTechniqueInfo)
+  std::span<const Cascade> medium = {};  // CascadedShadow's, for techniques that gain by it (ShaftTechniqueInfo)
   // The view's pixels in which the medium may be seen: x, y, width, height. Nothing is computed elsewhere. Empty: all.
   glm::ivec4 region_px{0};
   // Whether the picture's distances are wanted where it is as large as the view. A smaller one always has them.
   bool with_distance = true;
 
-  // What to look for casters in, wherever they are.
-  const SunShadow& casters() const { return air.size() == 1 ? *air.front().maps : shadow; }
-  // The parts that the light is to be summed over: those of the air, or else one.
-  std::vector<AirPart> parts() const {
-    return air.size() > 1 ? std::vector(air.begin(), air.end()) : std::vector{AirPart{&casters(), {}}};
+  // What to look for occluders in, wherever they are.
+  const SunShadow& occluders() const { return medium.size() == 1 ? *medium.front().maps : shadow; }
+  // The parts that the light is to be summed over: those of the medium, or else one.
+  std::vector<Cascade> parts() const {
+    return medium.size() > 1 ? std::vector(medium.begin(), medium.end()) : std::vector{Cascade{&occluders(), {}}};
   }
 };
 

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "render/base/angles.h"
 #include "render/sky/cie.h"
 #include "render/sky/clouds.h"
 #include "render/sky/dusk_sky.h"
@@ -16,7 +17,6 @@
 #include "render/sky/sky_image.h"
 #include "render/sky/sky_model.h"
 #include "render/sky/twilight.h"
-#include "render/sun/angles.h"
 #include "render/sun/spectrum.h"
 
 namespace render {

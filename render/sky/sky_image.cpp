@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "render/base/angles.h"
 #include "render/sky/hemisphere.h"
 #include "render/sky/twilight.h"
-#include "render/sun/angles.h"
 #include "render/sun/spectrum.h"
 
 namespace render {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "render/scene/image_io.h"
+#include "render/images/image_io.h"
 #include "render/sky/sky_model.h"
 
 namespace render {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/base/angles.h"
 #include "render/sky/smooth_step.h"
-#include "render/sun/angles.h"
 #include "render/sun/spectrum.h"
 
 namespace render {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/sun/angles.h"
+#include "render/base/angles.h"
 
 namespace render {
 namespace {

@@ -1,5 +1,5 @@
 #version 310 es
-// Lays objects and air over the real picture in linear light and encodes the result as the source is encoded. One
+// Lays objects and medium over the real picture in linear light and encodes the result as the source is encoded. One
 // fragment makes a block of pixels (BLOCK_W wide; two rows in 4:2:0), because the targets hold packed bytes: RGBA8 is
 // what every GLES can render to and read back. Targets: 4:2:0: luma of the upper row, of the lower row, chroma;
 // 4:2:2: luma, chroma; 4:4:4: one a plane. Chroma texels hold Cb's bytes, then Cr's.

@@ -82,7 +82,7 @@ Layers layers_at(ivec2 pixel, ivec2 origin, ivec2 offset, ivec2 parity) {
 #endif
 #endif
 #if defined(SHAFTS_WHOLE)
-  vec4 air = texelFetch(shafts, pixel, 0);
+  vec4 path = texelFetch(shafts, pixel, 0);
 #elif defined(SHAFTS)
   float distance_m = 1e9;  // what shafts_distance says of the sky
 #ifdef OBJECTS
@@ -94,16 +94,16 @@ Layers layers_at(ivec2 pixel, ivec2 origin, ivec2 offset, ivec2 parity) {
   distance_m = near_m / max(1.0 - texelFetch(ideal_depth, ideal_pixel, 0).r, 1e-9 * near_m);
 #endif
 #ifdef SHAFTS_HALF
-  vec4 air = shafts_at(origin, offset, parity, distance_m);
+  vec4 path = shafts_at(origin, offset, parity, distance_m);
 #elif defined(LENS)
-  vec4 air = shafts_at(uv, distance_m);
+  vec4 path = shafts_at(uv, distance_m);
 #else
-  vec4 air = shafts_at((vec2(pixel) + 0.5) / ideal_size, distance_m);
+  vec4 path = shafts_at((vec2(pixel) + 0.5) / ideal_size, distance_m);
 #endif
 #endif
 #ifdef SHAFTS
-  layers.keep *= air.a;
-  layers.add = layers.add * air.a + air.rgb;
+  layers.keep *= path.a;
+  layers.add = layers.add * path.a + path.rgb;
 #endif
 #ifdef WIDE_GAMUT
   layers.add = picture_from_709 * layers.add;

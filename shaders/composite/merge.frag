@@ -1,5 +1,5 @@
 #version 310 es
-// Objects and air together as one layer over the real picture, in 8 bits, for a picture that is put together on the
+// Objects and medium together as one layer over the real picture, in 8 bits, for a picture that is put together on the
 // CPU: real * keep + add. `add` as the square root of its part of kMergedWhite, which is finest where the eye is.
 // variant: OBJECTS
 // variant: SHAFTS

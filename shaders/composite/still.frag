@@ -1,5 +1,5 @@
 #version 310 es
-// Objects and air over a background that is linear light already: a still without a camera picture. Values are
+// Objects and medium over a background that is linear light already: a still without a camera picture. Values are
 // pre-exposed; the result is divided by the exposure, so that it is luminance in cd/m2.
 // variant:
 // variant: OBJECTS

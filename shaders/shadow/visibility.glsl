@@ -1,4 +1,4 @@
-// How much of the sun a surface point sees past the casters of one shadow map.
+// How much of the sun a surface point sees past the occluders of one shadow map.
 //
 // Map coordinates: (u, v, depth), 0 to 1 inside the map, depth along the light's travel (render/shadow/sun_shadow.h).
 
@@ -38,7 +38,7 @@ BlockerSearch blocker_search(highp sampler2D depth_bounds, float reach, vec3 at_
   // Texels hold the depth at their centres, up to one texel from the point of a bilinear comparison.
   search.receiver = at_in_map.z - (abs(slope.x) + abs(slope.y)) * texel - 0.0005 / metres_per_unit.z;
   search.radius = disc_slope * search.receiver * metres_per_unit.z / metres_per_unit.xy + texel;
-  // On the sun's side of every caster, or beside them all.
+  // On the sun's side of every occluder, or beside them all.
   bool beside = any(lessThan(at_in_map.xy, -search.radius)) || any(greaterThan(at_in_map.xy, 1.0 + search.radius));
   // Behind or before all that the search can meet: most of a picture is fully lit or fully dark. An empty texel holds
   // 1.
@@ -86,7 +86,7 @@ float sun_visibility(highp sampler2DShadow depth_compare, highp sampler2D depth_
   for (int i = 0; i < filter_taps; ++i) {
     vec2 offset = direction * sqrt((float(i) + 0.5) * share) * radius;
     direction = next_direction(direction);
-    float reference = min(search.receiver + dot(slope, offset), 1.0);  // behind all casters too, an empty texel is lit
+    float reference = min(search.receiver + dot(slope, offset), 1.0);  // behind all occluders too, an empty texel is lit
     lit += textureLod(depth_compare, vec3(at_in_map.xy + offset, reference), 0.0);
   }
   if (undecided) return lit * share;

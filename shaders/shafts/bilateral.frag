@@ -10,7 +10,7 @@
 precision highp float;
 
 #include "shafts/ray.glsl"
-#include "shafts/shade.glsl"
+#include "shafts/shading.glsl"
 #include "shafts/view_depth.glsl"
 
 uniform highp sampler2D small;  // small_lit.frag
@@ -44,8 +44,8 @@ float upscaled(float z) {
 void main() {
   float z = view_distance(gl_FragCoord.xy);
   Ray ray = view_ray(gl_FragCoord.xy);
-  vec2 stretch = medium_stretch(ray, z);
-  Air air = air_along(ray, stretch.x);
+  vec2 segment = medium_segment(ray, z);
+  MediumPath path = medium_along(ray, segment.x);
   distance_along_axis = z;
-  scattered = shaded_air(ray, air, stretch, upscaled(z) * sunlight_to(air, stretch.y));
+  scattered = medium_light(ray, path, segment, upscaled(z) * sunlight_to(path, segment.y));
 }

@@ -1,10 +1,10 @@
-// The view ray of a shaft pixel, the medium's stretch of it, and the sun's light in it. Shared by all techniques.
-// BOUNDED: the medium is a box. FALLOFF: it thins out with height. PARTED: only the air in a range of distances is
+// The view ray of a shaft pixel, the medium's segment of it, and the sun's light in it. Shared by all techniques.
+// BOUNDED: the medium is a box. FALLOFF: it thins out with height. CASCADE: only the medium in a range of distances is
 // looked at, and what several of them find is added up.
 #ifndef OUT
 #define OUT(type) out type
 #endif
-#include "shafts/medium.glsl"
+#include "lib/medium.glsl"
 
 uniform mat3 local_ray_from_px;  // render/scene/view.h
 uniform vec2 view_px_per_px;     // pixels of the ideal picture in one of this
@@ -20,8 +20,8 @@ uniform float log_extinction;  // of the extinction at the eye
 uniform float scale_height_m;
 #endif
 
-#ifdef PARTED
-uniform vec2 part_m;  // the range, along the camera's axis
+#ifdef CASCADE
+uniform vec2 cascade_m;  // the range, along the camera's axis
 #endif
 
 const float kSkyM = 1e9;     // what stands for no surface at all
@@ -38,20 +38,20 @@ Ray view_ray(vec2 pixel) {
   return Ray(ray / size, size);
 }
 
-// The stretch of the ray, up to the surface at z metres along the camera's axis, that lies in the medium.
-vec2 medium_stretch(Ray ray, float z) {
-  vec2 stretch = vec2(0.0, z < kSkyM ? z * ray.metres_per_z : 1e18);
+// The segment of the ray, up to the surface at z metres along the camera's axis, that lies in the medium.
+vec2 medium_segment(Ray ray, float z) {
+  vec2 segment = vec2(0.0, z < kSkyM ? z * ray.metres_per_z : 1e18);
 #ifdef FALLOFF
-  stretch.y = min(stretch.y, 1e10);
+  segment.y = min(segment.y, 1e10);
 #endif
 #ifdef BOUNDED
-  stretch = intersect(stretch, box_stretch(vec3(0.0), ray.direction, box_low_in_local, box_high_in_local));
+  segment = intersect(segment, box_segment(vec3(0.0), ray.direction, box_low_in_local, box_high_in_local));
 #endif
-  return stretch;
+  return segment;
 }
 
-// The air along a ray that enters the medium `entry` metres from the eye.
-struct Air {
+// The medium along a ray that enters the medium `entry` metres from the eye.
+struct MediumPath {
   float entry;
 #ifdef BOUNDED
   vec3 line_a;  // sun_path_lines()
@@ -62,35 +62,35 @@ struct Air {
 #endif
 };
 
-Air air_along(Ray ray, float entry) {
-  Air air;
-  air.entry = entry;
+MediumPath medium_along(Ray ray, float entry) {
+  MediumPath path;
+  path.entry = entry;
 #ifdef BOUNDED
-  sun_path_lines(vec3(0.0), ray.direction, box_low_in_local, box_high_in_local, sun_direction_in_local, air.line_a,
-                 air.line_b);
+  sun_path_lines(vec3(0.0), ray.direction, box_low_in_local, box_high_in_local, sun_direction_in_local, path.line_a,
+                 path.line_b);
 #endif
 #ifdef FALLOFF
-  air.rise = ray.direction.z / scale_height_m;
+  path.rise = ray.direction.z / scale_height_m;
 #endif
-  return air;
+  return path;
 }
 
 // Optical depth from where the ray enters the medium to t metres from the eye.
-float view_depth_to(Air air, float t) {
+float view_depth_to(MediumPath path, float t) {
 #ifdef FALLOFF
-  return falloff_depth(log_extinction, air.rise * air.entry, air.rise * t, t - air.entry);
+  return falloff_depth(log_extinction, path.rise * path.entry, path.rise * t, t - path.entry);
 #else
-  return extinction * (t - air.entry);
+  return extinction * (t - path.entry);
 #endif
 }
 
 // Optical depth of the light's own way through the medium to that point. A medium without bounds takes the sun's light
 // as given everywhere.
-float sun_depth_to(Air air, float t) {
+float sun_depth_to(MediumPath path, float t) {
 #ifdef BOUNDED
-  float way = sun_path(air.line_a, air.line_b, t);
+  float way = sun_path(path.line_a, path.line_b, t);
 #ifdef FALLOFF
-  float height = air.rise * t;
+  float height = path.rise * t;
   return falloff_depth(log_extinction, height, height + way * sun_direction_in_local.z / scale_height_m, way);
 #else
   return extinction * way;
@@ -101,101 +101,101 @@ float sun_depth_to(Air air, float t) {
 }
 
 // How far from the eye that optical depth is reached, counted from the entry.
-float way_of_depth(Air air, float depth) {
+float distance_at_optical_depth(MediumPath path, float depth) {
 #ifdef FALLOFF
-  float at_entry = exp(clamp(log_extinction - air.rise * air.entry, -80.0, 40.0));
-  return air.entry + falloff_length(at_entry, air.rise, depth);
+  float at_entry = exp(clamp(log_extinction - path.rise * path.entry, -80.0, 40.0));
+  return path.entry + falloff_length(at_entry, path.rise, depth);
 #else
-  return air.entry + depth / max(extinction, 1e-20);
+  return path.entry + depth / max(extinction, 1e-20);
 #endif
 }
 
 // What sunlight_between() needs of a point t metres from the eye. y: the optical depth of the view's way there and of
 // the light's own. x: BOUNDED, the view's alone; else the light that all of the way there sends to the eye.
-vec2 mark_at(Air air, float t) {
-  float view = view_depth_to(air, t);
+vec2 depth_sample_at(MediumPath path, float t) {
+  float view = view_depth_to(path, t);
 #ifdef BOUNDED
-  return vec2(view, view + sun_depth_to(air, t));
+  return vec2(view, view + sun_depth_to(path, t));
 #else
   return vec2(scattered_fraction(view), view);
 #endif
 }
 
 // Part of the sun's light, at phase function and albedo 1, that the way between two points sends to the eye when
-// nothing shades it: integral of exp(-depth) d(view's depth). Exact in an unbounded medium, and in a homogeneous one
+// nothing shadows it: integral of exp(-depth) d(view's depth). Exact in an unbounded medium, and in a homogeneous one
 // between the kinks of the light's way.
-float sunlight_between(vec2 mark_a, vec2 mark_b) {
-  float more = max(mark_b.x - mark_a.x, 0.0);
+float sunlight_between(vec2 depth_sample_a, vec2 depth_sample_b) {
+  float more = max(depth_sample_b.x - depth_sample_a.x, 0.0);
 #ifdef BOUNDED
-  return more * exp(-min(mark_a.y, mark_b.y)) * fall_off(abs(mark_b.y - mark_a.y));
+  return more * exp(-min(depth_sample_a.y, depth_sample_b.y)) * fall_off(abs(depth_sample_b.y - depth_sample_a.y));
 #else
   return more;
 #endif
 }
 
-// The same for any stretch.
-float sunlight_of(Air air, vec2 stretch) {
+// The same for any segment.
+float sunlight_of(MediumPath path, vec2 segment) {
 #if defined(BOUNDED) && defined(FALLOFF)
   const int kPieces = 24;
   float sum = 0.0;
-  vec2 mark = mark_at(air, stretch.x);
+  vec2 depth_sample = depth_sample_at(path, segment.x);
   for (int i = 1; i <= kPieces; ++i) {
-    vec2 next = mark_at(air, mix(stretch.x, stretch.y, float(i) / float(kPieces)));
-    sum += sunlight_between(mark, next);
-    mark = next;
+    vec2 next = depth_sample_at(path, mix(segment.x, segment.y, float(i) / float(kPieces)));
+    sum += sunlight_between(depth_sample, next);
+    depth_sample = next;
   }
-  return stretch.y > stretch.x ? sum : 0.0;
+  return segment.y > segment.x ? sum : 0.0;
 #elif defined(BOUNDED)
-  return bounded_fraction(extinction, stretch, air.entry, air.line_a, air.line_b);
+  return bounded_fraction(extinction, segment, path.entry, path.line_a, path.line_b);
 #else
-  float before = view_depth_to(air, stretch.x);
-  float within = max(view_depth_to(air, stretch.y) - before, 0.0);
+  float before = view_depth_to(path, segment.x);
+  float within = max(view_depth_to(path, segment.y) - before, 0.0);
   return exp(-before) * scattered_fraction(within);
 #endif
 }
 
 // And for all of the way from the medium's edge to t metres from the eye.
-float sunlight_to(Air air, float t) {
+float sunlight_to(MediumPath path, float t) {
 #ifdef BOUNDED
-  return sunlight_of(air, vec2(air.entry, t));
+  return sunlight_of(path, vec2(path.entry, t));
 #else
-  return scattered_fraction(max(view_depth_to(air, t), 0.0));
+  return scattered_fraction(max(view_depth_to(path, t), 0.0));
 #endif
 }
 
-// The part of the medium's stretch that this is about.
-vec2 part_of(Ray ray, vec2 stretch) {
-#ifdef PARTED
-  vec2 part = intersect(stretch, part_m * ray.metres_per_z);
+// The part of the medium's segment that this is about.
+vec2 cascade_of(Ray ray, vec2 segment) {
+#ifdef CASCADE
+  vec2 part = intersect(segment, cascade_m * ray.metres_per_z);
   return part.y - part.x > 1e-5 * part.y ? part : vec2(part.x);  // less is rounding, too little to look at its end
 #else
-  return stretch;
+  return segment;
 #endif
 }
 
 // And its sunlight.
-float sunlight_in(Air air, vec2 part) {
-#ifdef PARTED
-  return sunlight_of(air, part);
+float sunlight_in_cascade(MediumPath path, vec2 part) {
+#ifdef CASCADE
+  return sunlight_of(path, part);
 #else
-  return sunlight_to(air, part.y);
+  return sunlight_to(path, part.y);
 #endif
 }
 
-// Whether a stretch of the ray ends there.
-bool ends_in_part(Ray ray, vec2 stretch) {
-#ifdef PARTED
-  float end = max(stretch.y, 0.0);
-  return end >= part_m.x * ray.metres_per_z && end < part_m.y * ray.metres_per_z;
+// Whether a segment of the ray ends there.
+bool ends_in_cascade(Ray ray, vec2 segment) {
+#ifdef CASCADE
+  float end = max(segment.y, 0.0);
+  return end >= cascade_m.x * ray.metres_per_z && end < cascade_m.y * ray.metres_per_z;
 #else
   return true;
 #endif
 }
 
 // Whether what several parts have in common is this one's to tell.
-bool is_first_part() {
-#ifdef PARTED
-  return part_m.x <= 0.0;
+bool is_first_cascade() {
+#ifdef CASCADE
+  return cascade_m.x <= 0.0;
 #else
   return true;
 #endif

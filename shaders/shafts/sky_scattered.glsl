@@ -1,4 +1,4 @@
-#include "scene/sh9.glsl"
+#include "surface/sh9.glsl"
 
 uniform vec3 sky_scatter_sh[9];  // sky radiance * phase moments * albedo * gain of the fog, pre-exposed
 

@@ -4,7 +4,7 @@
 // blocks of 16 cells. Each slice is a row of the viewport, from its left edge on.
 #include "lib/quad.glsl"
 
-uniform highp sampler2D slices;  // render/shafts/slice_trees.h
+uniform highp sampler2D slices;  // render/shafts/epipolar/slice_trees.h
 uniform int rows;
 uniform float pixels_a_block;
 uniform vec2 half_size_px;  // of the viewport

@@ -4,7 +4,7 @@
 // the last bit.
 
 // Places across the rows, counted from their centres, in the middles of four cells. `slice` as
-// render/shafts/slice_trees.h says.
+// render/shafts/epipolar/slice_trees.h says.
 vec4 places_across(vec2 eye_in_texels, vec4 slice, vec4 cell) {
   bool by_x = abs(slice.x) >= abs(slice.y);
   return (by_x ? eye_in_texels.y : eye_in_texels.x) + (by_x ? slice.y : slice.x) * (slice.z + cell + 0.5) - 0.5;

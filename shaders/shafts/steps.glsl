@@ -1,6 +1,6 @@
 // A march in steps. SPACING: 0 equal lengths, 1 equal optical depths, 2 growing lengths. Needs shafts/ray.glsl and
-// shafts/caster_depth.glsl. SUN_DISC: the sun is a disc, and what stands before part of it takes that part of its light
-// (percentage-closer, wider with the way from the caster); else a point.
+// shafts/occluder_depth.glsl. SUN_DISC: the sun is a disc, and what stands before part of it takes that part of its light
+// (percentage-closer, wider with the way from the occluder); else a point.
 #ifdef SUN_DISC
 #include "shadow/sun_map.glsl"
 #endif
@@ -9,56 +9,56 @@
 #endif
 uniform int steps;
 uniform int near_steps;    // growing: so many equal steps
-uniform float near_way_m;  // up to this far into the stretch, before they grow
+uniform float near_way_m;  // up to this far into the segment, before they grow
 
-// Where step i of the stretch begins, metres from the eye.
-float step_start(int i, Air air, vec2 stretch) {
+// Where step i of the segment begins, metres from the eye.
+float step_start(int i, MediumPath path, vec2 segment) {
   float part = float(i) / float(steps);
-  if (i >= steps) return stretch.y;
+  if (i >= steps) return segment.y;
 #if SPACING == 1
-  vec2 depths = vec2(view_depth_to(air, stretch.x), view_depth_to(air, stretch.y));
-  return clamp(way_of_depth(air, mix(depths.x, depths.y, part)), stretch.x, stretch.y);
+  vec2 depths = vec2(view_depth_to(path, segment.x), view_depth_to(path, segment.y));
+  return clamp(distance_at_optical_depth(path, mix(depths.x, depths.y, part)), segment.x, segment.y);
 #elif SPACING == 2
   // Tan 2020, algorithm 1: a near layer of equal steps, then steps whose length grows in proportion to their count.
-  float near = min(near_way_m, stretch.y - stretch.x);
-  if (i < near_steps) return stretch.x + near * float(i) / float(near_steps);
+  float near = min(near_way_m, segment.y - segment.x);
+  if (i < near_steps) return segment.x + near * float(i) / float(near_steps);
   float k = float(i - near_steps);
   float n = float(steps - near_steps);
-  return stretch.x + near + (stretch.y - stretch.x - near) * k * (k + 1.0) / (n * (n + 1.0));
+  return segment.x + near + (segment.y - segment.x - near) * k * (k + 1.0) / (n * (n + 1.0));
 #else
-  return mix(stretch.x, stretch.y, part);
+  return mix(segment.x, segment.y, part);
 #endif
 }
 
-// x: part of the sunlight, from where the stretch begins to its reach, that gets past the casters; 1 for an empty one.
+// x: part of the sunlight, from where the segment begins to its reach, that gets past the occluders; 1 for an empty one.
 // y: and at its end.
-vec2 march(Ray ray, Air air, vec2 stretch, float reach) {
+vec2 march(Ray ray, MediumPath path, vec2 segment, float reach) {
   vec3 origin = map_from_local[3].xyz;
   vec3 along = mat3(map_from_local) * ray.direction;
-  float from = stretch.x;
-  vec2 mark = mark_at(air, from);
+  float from = segment.x;
+  vec2 depth_sample = depth_sample_at(path, from);
   float lit = 0.0;
   float all = 0.0;
   float seen = 1.0;
-  int count = stretch.y > stretch.x ? steps : 0;
+  int count = segment.y > segment.x ? steps : 0;
   for (int i = 1; i <= count; ++i) {
-    float to = step_start(i, air, stretch);
-    vec2 next = mark_at(air, to);
-    float part = sunlight_between(mark, next);
+    float to = step_start(i, path, segment);
+    vec2 next = depth_sample_at(path, to);
+    float part = sunlight_between(depth_sample, next);
     all += part;
 #ifdef SUN_DISC
     vec3 at = ray.direction * (0.5 * (from + to));
     // As on surfaces: virtual and real things stand before the disc independently of one another.
-    seen = virtual_visibility_in_air(at) * real_visibility_in_air(at);
+    seen = virtual_visibility_in_medium(at) * real_visibility_in_medium(at);
 #else
     seen = filtered_lit_at(origin + along * (0.5 * (from + to)));
 #endif
     lit += part * seen;
     from = to;
-    mark = next;
-    if (mark.y > kDeepest) break;  // nothing beyond is seen
+    depth_sample = next;
+    if (depth_sample.y > kDeepest) break;  // nothing beyond is seen
   }
-  float rest = count > 0 ? sunlight_between(mark, mark_at(air, reach)) : 0.0;
+  float rest = count > 0 ? sunlight_between(depth_sample, depth_sample_at(path, reach)) : 0.0;
   all += rest;
   lit += rest * seen;
   return vec2(all > 0.0 ? lit / all : 1.0, seen);

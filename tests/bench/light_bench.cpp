@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "render/plan/screen_region.h"
-#include "tests/golden/light/light_rig.h"
+#include "tests/testing/light_rig.h"
 
 namespace render::test {
 namespace {
@@ -93,7 +93,7 @@ SceneState court() {
   return scene;
 }
 
-// Much as data/scenes/demo.yaml: smoke under a roof, casters of both kinds.
+// Much as data/scenes/demo.yaml: smoke under a roof, occluders of both kinds.
 SceneState demo() {
   SceneState scene = sunny(247.8, 25.8);
   scene.camera = look_at(1280, 720, {3.91, 5.81, 1.6}, {-0.35, -0.35, 1.1}, 38.7);
@@ -149,12 +149,12 @@ TEST(LightBench, MedianOfEachPassAt1280x720) {
   for (const int steps : {32, 64}) {
     for (const int divisor : {1, 2}) {
       const auto march =
-          make_shaft_technique({.technique = "interleaved", .knobs = {{"steps", steps}, {"divisor", divisor}}});
+          make_shaft_technique({.technique = "interleaved", .parameters = {{"steps", steps}, {"divisor", divisor}}});
       march->draw(inputs);
       report(fmt::format("march steps={} divisor={}", steps, divisor), median_times([&] { march->draw(inputs); }));
     }
   }
-  const auto closed = make_shaft_technique({.technique = "closed-form", .knobs = {{"divisor", 2}}});
+  const auto closed = make_shaft_technique({.technique = "closed-form", .parameters = {{"divisor", 2}}});
   closed->draw(inputs);
   report("closed-form divisor=2", median_times([&] { closed->draw(inputs); }));
   EXPECT_GT(picture.touched.width, 0);
@@ -197,12 +197,12 @@ TEST(LightBench, MarchOfTheDemoAt1280x720) {
                            .region_px = {seen.x, seen.y, seen.width, seen.height}};
   for (const int divisor : {2, 3}) {
     const auto fine =
-        make_shaft_technique({.technique = "interleaved", .knobs = {{"steps", 1024}, {"divisor", divisor}}});
+        make_shaft_technique({.technique = "interleaved", .parameters = {{"steps", 1024}, {"divisor", divisor}}});
     const ShaftPicture& truth_picture = fine->draw(inputs);
     const Pixels truth = read_pixels(truth_picture.texture, truth_picture.width, truth_picture.height, GL_FLOAT);
     for (const int steps : {16, 32, 64}) {
       const auto march =
-          make_shaft_technique({.technique = "interleaved", .knobs = {{"steps", steps}, {"divisor", divisor}}});
+          make_shaft_technique({.technique = "interleaved", .parameters = {{"steps", steps}, {"divisor", divisor}}});
       const ShaftPicture& drawn = march->draw(inputs);
       const double error = relative_rmse(read_pixels(drawn.texture, drawn.width, drawn.height, GL_FLOAT), truth);
       report(fmt::format("demo steps={} divisor={} error={:.4f}", steps, divisor, error),
@@ -210,7 +210,7 @@ TEST(LightBench, MarchOfTheDemoAt1280x720) {
       EXPECT_LT(error, 0.05);
     }
   }
-  const auto closed = make_shaft_technique({.technique = "closed-form", .knobs = {{"divisor", 2}}});
+  const auto closed = make_shaft_technique({.technique = "closed-form", .parameters = {{"divisor", 2}}});
   closed->draw(inputs);
   report("demo closed-form divisor=2", median_times([&] { closed->draw(inputs); }));
 }

@@ -1,7 +1,8 @@
 // bench_shafts FOLDER SCENE WxH [eye=X,Y,Z] [target=X,Y,Z] [sun=AZIMUTH,ELEVATION] [TECHNIQUE[:key=value,...]...]: time
 // of the shaft pass and error against the reference on a scene that skyshaft-bench-scenes wrote to FOLDER, from its own
-// view and under its own sun unless others are given (metres, degrees). The camera moves and the shadow maps, the air's
-// too where the technique gains by it, are drawn again each frame: what that takes ("air map") is not part of the pass.
+// view and under its own sun unless others are given (metres, degrees). The camera moves and the shadow maps, the
+// medium's too where the technique gains by it, are drawn again each frame: what that takes ("medium map") is not part
+// of the pass.
 #include <GLES3/gl31.h>
 #include <fmt/format.h>
 
@@ -17,10 +18,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "render/scene/image_io.h"
-#include "render/shadow/air_shadow.h"
+#include "render/images/image_io.h"
+#include "render/shadow/cascades.h"
 #include "render/shafts/reference/shaft_reference.h"
-#include "tests/golden/light/light_rig.h"
+#include "tests/testing/light_rig.h"
 
 namespace render::test {
 namespace {
@@ -84,7 +85,7 @@ SceneState scene_of(const std::filesystem::path& folder, const std::string& name
 
 // Medians.
 struct Times {
-  double air_map_ms = 0.0;
+  double cascades_ms = 0.0;
   double wall_ms = 0.0;
   double cpu_ms = 0.0;
 };
@@ -138,9 +139,9 @@ struct Bench {
     }
   }
 
-  std::uint8_t shown(std::size_t i, int channel, const glm::vec4& air) const {
+  std::uint8_t shown(std::size_t i, int channel, const glm::vec4& medium) const {
     const float behind = 0.3F * pictures.multiplier.rgba[i][channel] + pictures.added.rgba[i][channel];
-    const float c = std::clamp(behind * air.a + air[channel], 0.0F, 1.0F);
+    const float c = std::clamp(behind * medium.a + medium[channel], 0.0F, 1.0F);
     return static_cast<std::uint8_t>(
         std::lround(255.0F * (c < 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F)));
   }
@@ -156,12 +157,12 @@ struct Bench {
     for (std::size_t i = 0; i < truth.size(); ++i) {
       const int x = static_cast<int>(i) % view.width / divisor;
       const int y = static_cast<int>(i) / view.width / divisor;
-      const glm::vec4& air = found.at(x, y);
-      error += std::pow(air.r - truth[i].r, 2.0);
+      const glm::vec4& medium = found.at(x, y);
+      error += std::pow(medium.r - truth[i].r, 2.0);
       total += std::pow(truth[i].r, 2.0);
       int worst = 0;
       for (int c = 0; c < 3; ++c) {
-        const std::uint8_t a = shown(i, c, air);
+        const std::uint8_t a = shown(i, c, medium);
         const std::uint8_t b = shown(i, c, truth[i]);
         squares += (a - b) * (a - b) / 3.0;
         worst = std::max(worst, std::abs(a - b));
@@ -173,10 +174,11 @@ struct Bench {
       off += worst > 2 ? 1 : 0;
     }
     const auto count = static_cast<double>(truth.size());
-    fmt::print("{:60} air map {:6.1f} ms  {:8.1f} ms wall {:8.1f} ms cpu  PSNR {:6.2f}  >2: {:6.3f} %  RMSE {:.5f}\n",
-               settings, times.air_map_ms, times.wall_ms, times.cpu_ms,
-               10.0 * std::log10(255.0 * 255.0 / std::max(squares / count, 1e-9)),
-               100.0 * static_cast<double>(off) / count, std::sqrt(error / total));
+    fmt::print(
+        "{:60} medium map {:6.1f} ms  {:8.1f} ms wall {:8.1f} ms cpu  PSNR {:6.2f}  >2: {:6.3f} %  RMSE {:.5f}\n",
+        settings, times.cascades_ms, times.wall_ms, times.cpu_ms,
+        10.0 * std::log10(255.0 * 255.0 / std::max(squares / count, 1e-9)), 100.0 * static_cast<double>(off) / count,
+        std::sqrt(error / total));
     std::fflush(stdout);
     if (const char* to = std::getenv("SKYSHAFT_PICTURES")) {
       std::string file = settings;
@@ -189,29 +191,29 @@ struct Bench {
   void run(const std::string& settings) {
     const ShaftSettings parsed = parse_shaft_settings(settings);
     const auto technique = make_shaft_technique(parsed);
-    const bool gains = find_shaft_technique(parsed.technique)->shows_texels;
-    AirShadow air;
+    const bool gains = find_shaft_technique(parsed.technique)->limited_by_shadow_resolution;
+    CascadedShadow medium;
     std::vector<double> map;
     std::vector<double> wall;
     std::vector<double> cpu;
     const glm::dmat4 still = scene.camera.world_from_camera;
-    const glm::dmat4 caster = scene.instances[0].world_from_model;
+    const glm::dmat4 occluder = scene.instances[0].world_from_model;
     Pixels found;
     for (int i = 0; i <= kFrames; ++i) {
       const double moved = 0.003 * (kFrames - i);  // the last frame is where the truth is
       scene.camera.world_from_camera[3].x = still[3].x + moved;
-      scene.instances[0].world_from_model[3].x = caster[3].x + 1e-7 * (kFrames - i);
+      scene.instances[0].world_from_model[3].x = occluder[3].x + 1e-7 * (kFrames - i);
       draw_objects();
       glFinish();
       const auto map_start = std::chrono::steady_clock::now();
-      const std::span<const AirPart> parts =
-          gains ? air.update(rig().shadow, scene, view, objects->depth, rig().models) : std::span<const AirPart>{};
+      const std::span<const Cascade> parts =
+          gains ? medium.update(rig().shadow, scene, view, objects->depth, rig().models) : std::span<const Cascade>{};
       glFinish();
       if (i > 0) map.push_back(milliseconds_since(map_start));
       const auto start = std::chrono::steady_clock::now();
       const std::clock_t cpu_start = std::clock();
       ShaftInputs asked = inputs();
-      asked.air = parts;
+      asked.medium = parts;
       asked.with_distance = false;  // as the program has it
       const ShaftPicture& picture = technique->draw(asked);
       glFinish();
@@ -247,7 +249,7 @@ int main(int argc, char** argv) {
     bench.scene = scene_of(bench.folder, bench.name, setting);
     bench.scene.camera = look_at(size.x, size.y, setting.eye, setting.target, setting.fov_deg);
     bench.make_truth();
-    const glm::dvec3 map_m = rig().shadow.map(Casters::Virtual).fit.metres_per_unit;
+    const glm::dvec3 map_m = rig().shadow.map(Occluders::Virtual).fit.metres_per_unit;
     fmt::print("{} at {}, {}: {} triangles, shadow map {:.1f} x {:.1f} m, {:.1f} m deep\n", bench.name, argv[3],
                bench.setting, bench.scene.instances[0].model->triangle_count(), map_m.x, map_m.y, map_m.z);
     for (int i = first; i < argc; ++i) bench.run(argv[i]);

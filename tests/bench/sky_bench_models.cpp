@@ -8,7 +8,7 @@
 #include "render/sun/spectrum.h"
 #include "tests/bench/sky_bench.h"
 #include "tests/bench/svg_plot.h"
-#include "tests/unit/table.h"
+#include "tests/testing/table.h"
 
 namespace bench {
 namespace {
@@ -78,7 +78,7 @@ struct Cost {
 Cost cost_of(const render::SkyOptions& options) {
   constexpr int kSuns = 20;
   constexpr int kRounds = 50;
-  render::make_sky(options, sun_at(30.0));  // the air's own tables are made once
+  render::make_sky(options, sun_at(30.0));  // the medium's own tables are made once
   std::clock_t start = std::clock();
   for (int i = 0; i < kSuns; ++i) render::make_sky(options, sun_at(30.0 + i));
   const double ms = cpu_seconds_since(start) / kSuns * 1e3;

@@ -14,8 +14,8 @@
 #include "ar/track/camera.h"
 #include "ar/track/pose.h"
 #include "ar/track/tag_map.h"
-#include "calib/camera_file.h"
-#include "run_program.h"
+#include "calib/files/camera_file.h"
+#include "tests/testing/run_program.h"
 
 namespace cli {
 namespace {

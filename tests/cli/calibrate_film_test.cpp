@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "calib/camera_file.h"
-#include "tests/cli/run_program.h"
-#include "tests/lab/board_film.h"
+#include "calib/files/camera_file.h"
+#include "tests/testing/board_film.h"
+#include "tests/testing/run_program.h"
 
 namespace {
 

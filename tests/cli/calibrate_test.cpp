@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "calib/board_finder.h"
-#include "calib/camera_file.h"
-#include "tests/cli/run_program.h"
+#include "calib/boards/board_finder.h"
+#include "calib/files/camera_file.h"
+#include "tests/testing/run_program.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "ar/track/camera.h"
-#include "tests/cli/run_program.h"
-#include "tests/lab/tag_pictures.h"
+#include "tests/testing/run_program.h"
+#include "tests/testing/tag_pictures.h"
 
 namespace {
 

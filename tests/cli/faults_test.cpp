@@ -6,7 +6,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "run_program.h"
+#include "tests/testing/run_program.h"
 
 namespace cli {
 namespace {

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "run_program.h"
+#include "tests/testing/run_program.h"
 
 namespace cli {
 namespace {

@@ -11,8 +11,8 @@
 #include <string>
 
 #include "ar/track/lens.h"
-#include "calib/camera_file.h"
-#include "tests/cli/run_program.h"
+#include "calib/files/camera_file.h"
+#include "tests/testing/run_program.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "run_program.h"
+#include "tests/testing/run_program.h"
 
 namespace cli {
 namespace {

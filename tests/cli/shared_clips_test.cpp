@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "../unit/made_clip.h"
 #include "ar/capture/source.h"
 #include "ar/place/place.h"
+#include "tests/testing/made_clip.h"
 
 namespace ar::testing {
 namespace {

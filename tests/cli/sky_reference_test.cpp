@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "run_program.h"
-#include "tests/unit/table.h"
+#include "tests/testing/run_program.h"
+#include "tests/testing/table.h"
 
 namespace cli {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "run_program.h"
+#include "tests/testing/run_program.h"
 
 namespace cli {
 namespace {

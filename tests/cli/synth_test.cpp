@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/cli/run_program.h"
+#include "tests/testing/run_program.h"
 
 namespace {
 

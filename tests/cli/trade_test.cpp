@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "run_program.h"
+#include "tests/testing/run_program.h"
 
 namespace cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <map>
 
-#include "run_program.h"
+#include "tests/testing/run_program.h"
 
 namespace cli {
 namespace {

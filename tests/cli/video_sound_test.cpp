@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "../unit/made_clip.h"
+#include "tests/testing/made_clip.h"
 
 namespace ar::testing {
 namespace {

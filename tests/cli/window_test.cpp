@@ -15,8 +15,8 @@
 #include <optional>
 #include <thread>
 
-#include "desktop.h"
-#include "run_program.h"
+#include "tests/testing/desktop.h"
+#include "tests/testing/run_program.h"
 
 namespace cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <linux/videodev2.h>
 
-#include "ar/capture/camera_controls.h"
+#include "ar/capture/live/camera_controls.h"
 #include "tests/lab/lab.h"
 #include "tests/lab/webcam.h"
 

@@ -16,8 +16,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "ar/capture/ffmpeg.h"
-#include "ar/capture/v4l2_device.h"
+#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/v4l2/device.h"
 
 namespace ar::testing {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "ar/capture/camera_list.h"
-#include "ar/output/v4l2_sink.h"
+#include "ar/capture/live/camera_list.h"
+#include "ar/output/v4l2/v4l2_sink.h"
 #include "tests/lab/lab.h"
 
 namespace ar::testing {

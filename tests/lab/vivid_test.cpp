@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ar/capture/v4l2_device.h"
+#include "ar/capture/v4l2/device.h"
 #include "tests/lab/lab.h"
 #include "tests/lab/running_program.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "calib/solver.h"
-#include "calib/uncertainty.h"
-#include "tests/lab/board_views.h"
+#include "calib/solve/solver.h"
+#include "calib/solve/uncertainty.h"
+#include "tests/testing/board_views.h"
 
 namespace {
 

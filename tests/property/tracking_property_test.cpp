@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "ar/track/tracker.h"
-#include "tests/lab/virtual_walk.h"
+#include "tests/testing/virtual_walk.h"
 
 namespace ar {
 namespace {

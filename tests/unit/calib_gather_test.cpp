@@ -6,10 +6,10 @@
 #include <random>
 
 #include "ar/track/lens.h"
-#include "calib/next_view.h"
-#include "calib/solver.h"
-#include "calib/view_collector.h"
-#include "tests/lab/board_views.h"
+#include "calib/solve/solver.h"
+#include "calib/views/next_view.h"
+#include "calib/views/view_collector.h"
+#include "tests/testing/board_views.h"
 
 namespace {
 
@@ -22,8 +22,8 @@ using ::testing::HasSubstr;
 
 const calib::Board kBoard = calib::make_chessboard(7, 5, 0.03, 0.03);
 
-calib::Sighting sighting_of(const std::vector<cv::Point2d>& px) {
-  calib::Sighting seen;
+calib::Observation observation_of(const std::vector<cv::Point2d>& px) {
+  calib::Observation seen;
   seen.px = px;
   seen.edge_width_px = 2.0;
   for (int i = 0; i < static_cast<int>(px.size()); ++i) seen.points.push_back(i);
@@ -34,7 +34,7 @@ calib::Sighting sighting_of(const std::vector<cv::Point2d>& px) {
 class Person {
  public:
   Person() : collector_(kBoard, 1280, 960, 40) {}
-  FrameUse holds(calib::Sighting seen, int frames = 5) {
+  FrameUse holds(calib::Observation seen, int frames = 5) {
     FrameUse use = FrameUse::NoBoard;
     for (int i = 0; i < frames && use != FrameUse::Taken; ++i) {
       seen.time_s = time_s_ += 0.1;
@@ -61,7 +61,7 @@ TEST(HeldView, IsToldFromThePicture) {
         const HeldView view{place % 3, place / 3, tilt, reach};
         const auto px = planner.points_px(view);
         if (!px) continue;
-        const auto seen = calib::held_view_of(kBoard, sighting_of(*px), camera);
+        const auto seen = calib::held_view_of(kBoard, observation_of(*px), camera);
         ASSERT_TRUE(seen.has_value());
         EXPECT_EQ(*seen, view) << calib::words_of(view) << " is told as " << calib::words_of(*seen);
         ++told;
@@ -92,7 +92,7 @@ TEST(NextView, IsWordedForAPerson) {
 TEST(NextView, TellsMoreThanAnotherLikeTheLast) {
   calib::NextView planner(kBoard, 1280, 960);
   const HeldView first{1, 1, Tilt::Facing, Reach::Middle};
-  const calib::Sighting seen = sighting_of(planner.points_px(first).value());
+  const calib::Observation seen = observation_of(planner.points_px(first).value());
   planner.set_taken({seen});
   const calib::Grid grid = calib::make_grid(1280, 960, 16);
   const HeldView best = planner.best(grid, std::vector<int>(grid.size(), 1));
@@ -107,10 +107,10 @@ TEST(NextView, AsksForThePartOfThePictureThatWasNotSeen) {
   for (std::size_t i = 0; i < grid.size(); ++i) {
     if (grid.middle(i).x > 800.0 && grid.middle(i).y > 500.0) corners[i] = 0;
   }
-  std::vector<calib::Sighting> taken;
+  std::vector<calib::Observation> taken;
   for (int column : {0, 1}) {
     for (Tilt tilt : {Tilt::LeftNearer, Tilt::RightNearer, Tilt::TopNearer, Tilt::BottomNearer}) {
-      taken.push_back(sighting_of(planner.points_px({column, 0, tilt, Reach::Middle}).value()));
+      taken.push_back(observation_of(planner.points_px({column, 0, tilt, Reach::Middle}).value()));
     }
   }
   planner.set_taken(taken);
@@ -120,18 +120,18 @@ TEST(NextView, AsksForThePartOfThePictureThatWasNotSeen) {
 }
 
 TEST(ViewCollector, TakesAViewWhenItIsStillSharpAndNew) {
-  const calib::Sightings places =
+  const calib::Observations places =
       calib::testing::see(kBoard, calib::testing::true_camera(LensChoice::Pinhole), {.views = 3, .noise_px = 0.0});
   Person person;
   EXPECT_EQ(person.holds({}, 3), FrameUse::NoBoard);
   EXPECT_EQ(person.holds(places.views[0], 3), FrameUse::Moving) << "two tenths of a second are not yet still";
   EXPECT_EQ(person.holds(places.views[0]), FrameUse::Taken);
   EXPECT_EQ(person.holds(places.views[0]), FrameUse::Known);
-  calib::Sighting blurred = places.views[1];
+  calib::Observation blurred = places.views[1];
   blurred.edge_width_px = 7.0;
   EXPECT_EQ(person.holds(blurred), FrameUse::Blurred);
   for (int frame = 0; frame < 10; ++frame) {  // 100 px/s
-    calib::Sighting moving = places.views[2];
+    calib::Observation moving = places.views[2];
     for (cv::Point2d& p : moving.px) p.x += 10.0 * frame;
     EXPECT_EQ(person.holds(moving, 1), FrameUse::Moving);
   }
@@ -140,7 +140,7 @@ TEST(ViewCollector, TakesAViewWhenItIsStillSharpAndNew) {
 }
 
 TEST(ViewCollector, DoesNotTakeAgainWhatWasTakenBackBeforeTheBoardMoved) {
-  const calib::Sightings places =
+  const calib::Observations places =
       calib::testing::see(kBoard, calib::testing::true_camera(LensChoice::Pinhole), {.views = 2, .noise_px = 0.0});
   Person person;
   EXPECT_EQ(person.holds(places.views[0]), FrameUse::Taken);
@@ -165,7 +165,7 @@ TEST(ViewCollector, LeadsToAGoodSet) {
     if (!px) px = hands.points_px({1, 1, Tilt::TopNearer, Reach::Middle});
     ASSERT_TRUE(px.has_value());
     for (cv::Point2d& p : *px) p += cv::Point2d(noise(random), noise(random));
-    person.holds(sighting_of(*px));
+    person.holds(observation_of(*px));
   }
   EXPECT_TRUE(person.collector().enough()) << person.collector().taken().size() << " views";
   EXPECT_GE(person.collector().taken().size(), 10U);

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "ar/track/lens.h"
-#include "calib/heading.h"
-#include "calib/tag_mapper.h"
+#include "calib/tagmap/heading.h"
+#include "calib/tagmap/tag_mapper.h"
 
 namespace {
 

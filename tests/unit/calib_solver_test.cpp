@@ -7,13 +7,13 @@
 #include <cmath>
 
 #include "ar/track/lens.h"
-#include "calib/board_check.h"
-#include "calib/corner_error.h"
-#include "calib/cross_validation.h"
-#include "calib/judge.h"
-#include "calib/solver.h"
-#include "calib/view_choice.h"
-#include "tests/lab/board_views.h"
+#include "calib/boards/board_check.h"
+#include "calib/solve/corner_error.h"
+#include "calib/solve/cross_validation.h"
+#include "calib/solve/solver.h"
+#include "calib/verdict/quality_gates.h"
+#include "calib/views/view_choice.h"
+#include "tests/testing/board_views.h"
 
 namespace {
 
@@ -111,10 +111,10 @@ INSTANTIATE_TEST_SUITE_P(Lenses, EveryLens,
 TEST(Solver, LeavesOutCornersThatAreWrong) {
   ViewSet set;
   set.views = 8;
-  calib::Sightings sightings = see(kBoard, true_camera(LensChoice::PlumbBob4), set);
-  sightings.views[2].px[7] += cv::Point2d(4.0, -3.0);
-  sightings.views[5].px[0] += cv::Point2d(0.0, 2.0);
-  const auto solution = calib::solve(kBoard, sightings, with_lens(LensChoice::PlumbBob4));
+  calib::Observations observations = see(kBoard, true_camera(LensChoice::PlumbBob4), set);
+  observations.views[2].px[7] += cv::Point2d(4.0, -3.0);
+  observations.views[5].px[0] += cv::Point2d(0.0, 2.0);
+  const auto solution = calib::solve(kBoard, observations, with_lens(LensChoice::PlumbBob4));
   ASSERT_TRUE(solution.has_value());
   EXPECT_EQ(solution->points_rejected, 2);
   EXPECT_FALSE(solution->views[2].used[7]);
@@ -126,12 +126,12 @@ TEST(Solver, FindsABoardThatIsNotFlat) {
   calib::Board bent = kBoard;
   for (cv::Vec3d& p : bent.points) p[2] = 0.004 * std::sin(20.0 * p[0]);  // up to 4 mm
   ViewSet set;
-  const calib::Sightings sightings = see(bent, true_camera(LensChoice::PlumbBob2), set);
+  const calib::Observations observations = see(bent, true_camera(LensChoice::PlumbBob2), set);
   calib::SolveOptions options = with_lens(LensChoice::PlumbBob2);
-  const auto as_flat = calib::solve(kBoard, sightings, options);
+  const auto as_flat = calib::solve(kBoard, observations, options);
   options.solve_flatness = true;
   options.board_sigma_m = 0.003;
-  const auto solved = calib::solve(kBoard, sightings, options);
+  const auto solved = calib::solve(kBoard, observations, options);
   ASSERT_TRUE(as_flat && solved);
   EXPECT_GT(as_flat->rms_px, 0.5);
   EXPECT_LT(solved->rms_px, 0.2);  // the noise is 0.14 px a corner
@@ -141,35 +141,35 @@ TEST(Solver, FindsABoardThatIsNotFlat) {
 TEST(Judge, CallsAGoodSetGood) {
   ViewSet set;
   set.views = 20;
-  const calib::Sightings sightings = see(kBoard, true_camera(LensChoice::PlumbBob4), set);
+  const calib::Observations observations = see(kBoard, true_camera(LensChoice::PlumbBob4), set);
   const auto options = with_lens(LensChoice::PlumbBob4);
-  const auto solution = calib::solve(kBoard, sightings, options);
+  const auto solution = calib::solve(kBoard, observations, options);
   ASSERT_TRUE(solution.has_value());
-  const calib::Judgement judgement = calib::judge(kBoard, sightings, *solution, options);
-  EXPECT_NE(judgement.verdict, calib::Verdict::Rejected) << judgement.sentence(*solution);
-  EXPECT_NEAR(judgement.held_out_rms_px, solution->rms_px, 0.03);
+  const calib::Assessment assessment = calib::assess(kBoard, observations, *solution, options);
+  EXPECT_NE(assessment.verdict, calib::Verdict::Rejected) << assessment.sentence(*solution);
+  EXPECT_NEAR(assessment.held_out_rms_px, solution->rms_px, 0.03);
 }
 
 TEST(Judge, NamesHeadOnViews) {
   ViewSet set;
   set.most_tilt_rad = 0.03;
-  const calib::Sightings sightings = see(kBoard, true_camera(LensChoice::Pinhole), set);
+  const calib::Observations observations = see(kBoard, true_camera(LensChoice::Pinhole), set);
   const auto options = with_lens(LensChoice::Pinhole);
-  const auto solution = calib::solve(kBoard, sightings, options);
+  const auto solution = calib::solve(kBoard, observations, options);
   ASSERT_TRUE(solution.has_value());
-  const calib::Judgement judgement = calib::judge(kBoard, sightings, *solution, options);
-  EXPECT_EQ(judgement.verdict, calib::Verdict::Rejected);
-  EXPECT_THAT(judgement.sentence(*solution), HasSubstr("all views are head-on"));
+  const calib::Assessment assessment = calib::assess(kBoard, observations, *solution, options);
+  EXPECT_EQ(assessment.verdict, calib::Verdict::Rejected);
+  EXPECT_THAT(assessment.sentence(*solution), HasSubstr("all views are head-on"));
 }
 
 TEST(Judge, NamesASingleView) {
-  const calib::Sightings sightings = see(kBoard, true_camera(LensChoice::Pinhole), quiet(1));
+  const calib::Observations observations = see(kBoard, true_camera(LensChoice::Pinhole), quiet(1));
   const auto options = with_lens(LensChoice::Pinhole);
-  const auto solution = calib::solve(kBoard, sightings, options);
+  const auto solution = calib::solve(kBoard, observations, options);
   ASSERT_TRUE(solution.has_value());
-  const calib::Judgement judgement = calib::judge(kBoard, sightings, *solution, options);
-  EXPECT_EQ(judgement.verdict, calib::Verdict::Rejected);
-  EXPECT_THAT(judgement.sentence(*solution), HasSubstr("one view only"));
+  const calib::Assessment assessment = calib::assess(kBoard, observations, *solution, options);
+  EXPECT_EQ(assessment.verdict, calib::Verdict::Rejected);
+  EXPECT_THAT(assessment.sentence(*solution), HasSubstr("one view only"));
 }
 
 TEST(LensChoice, IsTheSimplestThatPredicts) {
@@ -192,9 +192,9 @@ TEST(BoardCheck, NamesAGapThatIsWrong) {
   const calib::Board in_file = calib::make_tag_grid(grid);
   ViewSet set;
   set.views = 4;
-  const calib::Sightings sightings = see(printed, true_camera(LensChoice::Pinhole), set);
-  EXPECT_FALSE(calib::wrong_step(printed, sightings.views, 0.06).has_value());
-  const auto wrong = calib::wrong_step(in_file, sightings.views, 0.06);
+  const calib::Observations observations = see(printed, true_camera(LensChoice::Pinhole), set);
+  EXPECT_FALSE(calib::wrong_step(printed, observations.views, 0.06).has_value());
+  const auto wrong = calib::wrong_step(in_file, observations.views, 0.06);
   ASSERT_TRUE(wrong.has_value());
   EXPECT_NEAR(std::abs(wrong->measured.x), 1.5, 0.02);
   EXPECT_NEAR(std::abs(wrong->expected.x), 1.3, 1e-9);
@@ -202,9 +202,9 @@ TEST(BoardCheck, NamesAGapThatIsWrong) {
 
 TEST(ViewChoice, LeavesOutMovingBlurredAndRepeatedFrames) {
   ViewSet set = quiet(12);
-  const calib::Sightings places = see(kBoard, true_camera(LensChoice::Pinhole), set);
-  std::vector<calib::Sighting> frames;  // each place held still for five frames, then gone in one
-  for (const calib::Sighting& place : places.views) {
+  const calib::Observations places = see(kBoard, true_camera(LensChoice::Pinhole), set);
+  std::vector<calib::Observation> frames;  // each place held still for five frames, then gone in one
+  for (const calib::Observation& place : places.views) {
     for (int i = 0; i < 5; ++i) {
       frames.push_back(place);
       frames.back().time_s = 0.1 * static_cast<double>(frames.size());

@@ -1,4 +1,4 @@
-#include "calib/camera_file.h"
+#include "calib/files/camera_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Which of a camera's modes serves a wish, on lists as real cameras give them.
 
-#include "ar/capture/camera_mode.h"
+#include "ar/capture/live/camera_mode.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ TEST(CameraMode, TakesTheNearestSizeWhereTheOneAskedForIsNotOffered) {
   expect_choice(kWebcam, request({}, 1080, 30), "MJPG", 1920, 1080, 30);
 }
 
-TEST(CameraMode, TakesTheSlowestRateThatReachesTheWish) {
+TEST(CameraMode, TakesTheSlowestRateThatReachesTheRequest) {
   const Modes modes{{"YUYV", 640, 480, {120, 60, 29.97, 15}}};
   expect_choice(modes, request({}, {}, 30), "YUYV", 640, 480, 29.97);
   expect_choice(modes, request({}, {}, 50), "YUYV", 640, 480, 60);

@@ -6,11 +6,11 @@
 #include <limits>
 #include <stdexcept>
 
-#include "ar/capture/camera_controls.h"
-#include "ar/capture/camera_format.h"
-#include "ar/capture/color.h"
-#include "ar/capture/frame_clock.h"
-#include "ar/capture/trouble_log.h"
+#include "ar/capture/color/color.h"
+#include "ar/capture/live/camera_controls.h"
+#include "ar/capture/live/dropped_frame_log.h"
+#include "ar/capture/live/frame_clock.h"
+#include "ar/capture/v4l2/camera_format.h"
 
 namespace ar {
 namespace {
@@ -124,8 +124,8 @@ TEST(ControlSetting, IsReadAsPeopleWriteIt) {
   }
 }
 
-TEST(TroubleLog, TellsAtMostOnceASecondAndOfNothingNever) {
-  TroubleLog log("camera");
+TEST(DroppedFrameLog, TellsAtMostOnceASecondAndOfNothingNever) {
+  DroppedFrameLog log("camera");
   const std::chrono::steady_clock::time_point start{std::chrono::hours(1)};
   EXPECT_FALSE(log.tell(start));
   log.damaged();

@@ -1,6 +1,6 @@
 // Colour tags: what they mean, and what is assumed where they are silent.
 
-#include "ar/capture/color.h"
+#include "ar/capture/color/color.h"
 
 #include <gtest/gtest.h>
 

@@ -101,24 +101,24 @@ Fitted fit_for(const glm::dvec3& eye) {
   scene.sun.direction_in_world = glm::normalize(glm::dvec3(1, 0, 1));
   scene.camera.world_from_camera[3] = glm::dvec4(eye, 1.0);
   View view = pinhole_view(scene.camera);
-  const auto all = casters(scene, Casters::Virtual);
-  const auto out = pieces_before_their_shade(all, scene.sun.direction_in_world, eye);
-  return {fit_shadow(scene, view, all, 1024, FitTo::Casters, out), out.size()};
+  const auto all = occluders(scene, Occluders::Virtual);
+  const auto out = pieces_before_their_shadow(all, scene.sun.direction_in_world, eye);
+  return {fit_shadow(scene, view, all, 1024, FitTo::Occluders, out), out.size()};
 }
 
-TEST(ShadowFit, MapsOfAnySizeAreFiniteAndHoldTheirCasters) {
+TEST(ShadowFit, MapsOfAnySizeAreFiniteAndHoldTheirOccluders) {
   SceneState scene;
   scene.instances.push_back({"post", std::make_shared<const Model>(post_on_slab()), glm::dmat4(1.0), false});
   scene.sun.direction_in_world = glm::normalize(glm::dvec3(1, 0, 1));
   const View view = pinhole_view(scene.camera);
-  const auto all = casters(scene, Casters::Virtual);
+  const auto all = occluders(scene, Occluders::Virtual);
   for (const int size_px : {1, 2, 6, 7, 8, 64, 8192}) {
     const ShadowFit fit = fit_shadow(scene, view, all, size_px);
     const glm::dvec3 top(fit.map_from_world * glm::dvec4(0, 0, 3, 1));  // the post's
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_GT(fit.metres_per_unit[axis], 0.0) << size_px;
       EXPECT_TRUE(std::isfinite(top[axis])) << size_px;
-      if (size_px < 6) continue;  // places are whole texels: of so few, the casters may lie beside them
+      if (size_px < 6) continue;  // places are whole texels: of so few, the occluders may lie beside them
       EXPECT_GE(top[axis], 0.0) << size_px;
       EXPECT_LE(top[axis], 1.0) << size_px;
     }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/lab/tag_pictures.h"
+#include "tests/testing/tag_pictures.h"
 
 namespace ar {
 namespace {

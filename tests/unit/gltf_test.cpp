@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "render/scene/image_codec.h"
+#include "render/images/image_codec.h"
 #include "render/scene/model.h"
-#include "tests/unit/gltf_maker.h"
+#include "tests/testing/gltf_maker.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "render/scene/image_io.h"
+#include "render/images/image_io.h"
 
 #include <ImfArray.h>
 #include <ImfRgbaFile.h>
@@ -9,8 +9,8 @@
 #include <fstream>
 #include <random>
 
-#include "render/scene/whole_file.h"
-#include "tests/unit/gltf_maker.h"
+#include "render/base/whole_file.h"
+#include "tests/testing/gltf_maker.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Which files a pattern or a folder means, and in which order.
 
-#include "ar/capture/image_list.h"
+#include "ar/capture/file/image_list.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "ar/error.h"
-#include "made_clip.h"
+#include "tests/testing/made_clip.h"
 
 namespace ar {
 namespace {

@@ -13,9 +13,9 @@
 #include "app/live/held_mark.h"
 #include "app/live/latest.h"
 #include "app/live/recorder.h"
+#include "app/live/reservoir.h"
 #include "app/live/tag_states.h"
-#include "app/reservoir.h"
-#include "ar/capture/ffmpeg.h"
+#include "ar/capture/file/ffmpeg.h"
 #include "ar/error.h"
 #include "ar/output/frame_pool.h"
 
@@ -85,9 +85,9 @@ TEST(TagStates, AreTheWholeMapAndWhatElseWasSeen) {
   seen.id = 4;
   // 0.1 m at 2 m are 25 px; the corners are all off by one pixel to the right.
   seen.corners_px = {cv::Point2d(295.5, 264.5), {345.5, 264.5}, {345.5, 214.5}, {295.5, 214.5}};
-  ar::Detection stranger;
-  stranger.id = 7;
-  const auto states = app::tag_states(camera, map, track, {stranger, seen});
+  ar::Detection unmapped_id;
+  unmapped_id.id = 7;
+  const auto states = app::tag_states(camera, map, track, {unmapped_id, seen});
   ASSERT_EQ(states.size(), 3U);
   EXPECT_EQ(states[0].id, 4);
   EXPECT_TRUE(states[0].seen);
@@ -135,12 +135,12 @@ TEST(Governor, WithoutATargetItKeepsFullQuality) {
 TEST(QualityLadder, BeginsWithWhatIsAskedAndGetsCheaper) {
   render::Quality asked;
   asked.render_scale = 0.8;
-  const auto ladder = app::quality_ladder(asked);
-  ASSERT_GE(ladder.size(), 3U);
-  EXPECT_DOUBLE_EQ(ladder.front().render_scale, 0.8);
-  EXPECT_TRUE(ladder.front().anti_alias);
-  for (std::size_t i = 1; i < ladder.size(); ++i) EXPECT_LE(ladder[i].render_scale, ladder[i - 1].render_scale);
-  EXPECT_FALSE(ladder.back().anti_alias);
+  const auto presets = app::quality_ladder(asked);
+  ASSERT_GE(presets.size(), 3U);
+  EXPECT_DOUBLE_EQ(presets.front().render_scale, 0.8);
+  EXPECT_TRUE(presets.front().anti_alias);
+  for (std::size_t i = 1; i < presets.size(); ++i) EXPECT_LE(presets[i].render_scale, presets[i - 1].render_scale);
+  EXPECT_FALSE(presets.back().anti_alias);
 }
 
 // A camera that gives `frames` pictures of that width and then goes away.

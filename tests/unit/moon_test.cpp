@@ -9,7 +9,7 @@
 #include "render/sky/sky_image.h"
 #include "render/sky/twilight.h"
 #include "render/sun/spectrum.h"
-#include "tests/unit/table.h"
+#include "tests/testing/table.h"
 
 namespace render {
 namespace {

@@ -1,12 +1,12 @@
 // The eight ways a stored picture can lie, each turned upright by the filters that Orientation names.
 
-#include "ar/capture/orientation.h"
+#include "ar/capture/color/orientation.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "ar/capture/converter.h"
+#include "ar/capture/color/converter.h"
 
 namespace ar {
 namespace {

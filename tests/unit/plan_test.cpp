@@ -92,14 +92,14 @@ TEST(Plan, AnOpenMediumIsSolvedInClosedForm) {
   EXPECT_FALSE(plan.has(PassKind::SunShadow));
 }
 
-TEST(Plan, CastersInAMediumAreInterleaved) {
+TEST(Plan, OccludersInAMediumAreInterleaved) {
   SceneState scene = sunlit_scene();
   scene.instances.push_back(box(false));
   scene.medium = haze();
   EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "interleaved");
 }
 
-TEST(Plan, CastersThatCannotShadeTheMediumCarveNoShafts) {
+TEST(Plan, OccludersThatCannotShadowTheMediumCarveNoShafts) {
   SceneState scene = sunlit_scene();  // the sun stands in the south, 45 degrees high
   scene.instances.push_back(box(false));
   scene.medium = haze();
@@ -152,8 +152,8 @@ TEST(Plan, EveryPassAndOmissionHasAReason) {
     std::vector<std::string> names;
     for (const render::Pass& pass : plan.passes) names.push_back(pass.name);
     for (const render::Omission& o : plan.omitted) names.push_back(o.name);
-    EXPECT_THAT(names, UnorderedElementsAre("upload", "shadow", "objects", "air shadow", "shafts", "glass", "composite",
-                                            "read"))
+    EXPECT_THAT(names, UnorderedElementsAre("upload", "shadow", "objects", "cascades", "shafts", "translucency",
+                                            "composite", "read"))
         << "each is either there or accounted for";
   }
 }
@@ -161,14 +161,14 @@ TEST(Plan, EveryPassAndOmissionHasAReason) {
 TEST(Plan, AMapOfTheAirIsLeftOutWhereItsTexelsAreNotSeen) {
   SceneState scene = sunlit_scene();
   scene.instances.push_back(box(false));
-  EXPECT_THAT(omission(render::make_plan(scene, {}), "air shadow"), HasSubstr("no medium"));
+  EXPECT_THAT(omission(render::make_plan(scene, {}), "cascades"), HasSubstr("no medium"));
   scene.medium = haze();
-  EXPECT_THAT(omission(render::make_plan(scene, {}), "air shadow"), HasSubstr("interleaved does not show"));
+  EXPECT_THAT(omission(render::make_plan(scene, {}), "cascades"), HasSubstr("interleaved does not show"));
   render::Quality quality;
   quality.shafts = render::parse_shaft_settings("march:sun=disc");
-  EXPECT_THAT(omission(render::make_plan(scene, quality), "air shadow"), HasSubstr("disc"));
+  EXPECT_THAT(omission(render::make_plan(scene, quality), "cascades"), HasSubstr("disc"));
   quality.shafts = render::parse_shaft_settings("march");
-  EXPECT_TRUE(render::make_plan(scene, quality).has(PassKind::AirShadow));
+  EXPECT_TRUE(render::make_plan(scene, quality).has(PassKind::CascadedShadow));
 }
 
 render::View level_view() {

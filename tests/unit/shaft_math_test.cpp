@@ -1,4 +1,4 @@
-// shaders/shafts/medium.glsl compiled as C++: the formulas that the GPU runs, against double-precision truth.
+// shaders/lib/medium.glsl compiled as C++: the formulas that the GPU runs, against double-precision truth.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace shader {
 using namespace glm;
 #define OUT(type) type&
-#include "shaders/shafts/medium.glsl"
+#include "shaders/lib/medium.glsl"
 #undef OUT
 }  // namespace shader
 
@@ -46,16 +46,16 @@ TEST(ShaftMath, BoundedFractionAgreesWithQuadrature) {
       glm::vec3 a;
       glm::vec3 b;
       shader::sun_path_lines(origin, ray, low, high, s, a, b);
-      const glm::vec2 stretch = shader::box_stretch(origin, ray, low, high);
+      const glm::vec2 segment = shader::box_segment(origin, ray, low, high);
       double sum = 0.0;
       constexpr int kSteps = 20000;
-      const double length = stretch.y - stretch.x;
+      const double length = segment.y - segment.x;
       for (int i = 0; i < kSteps; ++i) {
         const double t = length * (i + 0.5) / kSteps;
-        const double path = shader::sun_path(a, b, static_cast<float>(stretch.x + t));
+        const double path = shader::sun_path(a, b, static_cast<float>(segment.x + t));
         sum += extinction * std::exp(-extinction * (t + path)) * length / kSteps;
       }
-      const float fraction = shader::bounded_fraction(extinction, stretch, stretch.x, a, b);
+      const float fraction = shader::bounded_fraction(extinction, segment, segment.x, a, b);
       EXPECT_NEAR(fraction, sum, 2e-4 * sum + 1e-9) << "extinction " << extinction << ", sun z " << s.z;
     }
   }

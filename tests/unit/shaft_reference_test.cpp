@@ -64,7 +64,7 @@ void expect_same(const glm::dvec3& found, const glm::dvec3& expected, double rel
 
 const ViewRay kEastward{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}};
 
-TEST(ShaftReference, WithoutCastersIsTheClosedForm) {
+TEST(ShaftReference, WithoutOccludersIsTheClosedForm) {
   const SceneState scene = hazy(0.03);
   const ReferenceLight light = ShaftReference(scene).along(kEastward, 40.0);
   expect_same(light.luminance_rgb, sun_scale(scene, kEastward) * (1.0 - std::exp(-1.2)), 1e-12);
@@ -181,7 +181,7 @@ TEST(ShaftReference, PointLightInAUniformMedium) {
   expect_same(shaded.luminance_rgb, scale * simpson(value, from, std::atan(2.0 / h)));
 }
 
-TEST(ShaftReference, MaskedCasterIsPiercedWhereItsTextureIsClear) {
+TEST(ShaftReference, MaskedOccluderIsPiercedWhereItsTextureIsClear) {
   // Texels across the plate: clear, solid, solid, clear; between their centres alpha is linear and passes the cutoff
   // half way. The plate's shadow on the ray runs from x = 0 to 8, so solid is 2 ... 6.
   SceneState scene = hazy(0.05);
@@ -202,7 +202,7 @@ TEST(ShaftReference, MaskedCasterIsPiercedWhereItsTextureIsClear) {
   expect_same(light.luminance_rgb, sun_scale(scene, kEastward) * lit);
 }
 
-TEST(ShaftReference, BlendedCasterTints) {
+TEST(ShaftReference, BlendedOccluderTints) {
   SceneState scene = hazy(0.05);
   Mesh plate;
   add_plate(plate, {4.0F, -50.0F}, {12.0F, 50.0F}, 5.0F);
@@ -252,9 +252,9 @@ TEST(ShadowSheet, AgreesWithSingleRaysAmongRandomTriangles) {
   std::mt19937 random(7);
   const Mesh mesh = random_triangles(random, 250);
   const std::vector<Instance> instances{place(model_of(mesh))};
-  const CasterTree casters(instances);
-  EXPECT_EQ(casters.size(), 250U);
-  const ShadowSheet sheet(casters);
+  const OccluderTree occluders(instances);
+  EXPECT_EQ(occluders.size(), 250U);
+  const ShadowSheet sheet(occluders);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   int dark = 0;
   for (int i = 0; i < 60; ++i) {
@@ -263,13 +263,13 @@ TEST(ShadowSheet, AgreesWithSingleRaysAmongRandomTriangles) {
     const bool parallel = i % 2 == 0;
     const glm::dvec3 target(any(random), any(random), any(random));
     const LightOrigin light{parallel ? glm::normalize(target) : target * 12.0, parallel};
-    const std::vector<LitStretch> lit = sheet.lit(ray, light, 0.0, 25.0);
+    const std::vector<LitSegment> lit = sheet.lit(ray, light, 0.0, 25.0);
     for (int k = 0; k < 200; ++k) {
       const double t = 25.0 * (k + 0.5) / 200.0;
       const glm::dvec3 x = ray.origin_in_world + t * ray.direction_in_world;
       const glm::dvec3 towards = parallel ? light.in_world : glm::normalize(light.in_world - x);
       const double distance = parallel ? kEndless : glm::length(light.in_world - x);
-      const bool found = std::ranges::none_of(lit, [t](const LitStretch& s) { return s.from_m <= t && t <= s.to_m; });
+      const bool found = std::ranges::none_of(lit, [t](const LitSegment& s) { return s.from_m <= t && t <= s.to_m; });
       EXPECT_EQ(found, in_shadow(mesh, x, towards, distance)) << "ray " << i << " at " << t;
       dark += found ? 1 : 0;
     }
@@ -287,7 +287,7 @@ TEST(ShaftReference, SealedBoxStaysDark) {
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   for (int i = 0; i < 40; ++i) {
     const ViewRay ray{{10.3, 19.8, 1.1}, glm::normalize(glm::dvec3(any(random), any(random), any(random)))};
-    const double end = ShadowSheet(CasterTree(scene.instances)).first_hit_m(ray, 0.0, kEndless);
+    const double end = ShadowSheet(OccluderTree(scene.instances)).first_hit_m(ray, 0.0, kEndless);
     EXPECT_LT(end, 3.0);
     EXPECT_EQ(reference.along(ray, end).luminance_rgb, glm::dvec3(0.0)) << i;
   }

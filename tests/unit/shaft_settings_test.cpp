@@ -20,10 +20,10 @@ std::string refusal(const std::string& text) {
   return "accepted";
 }
 
-TEST(ShaftSettings, EveryRungOfEveryLadderReadsAsWhatItIsWrittenFrom) {
+TEST(ShaftSettings, EveryPresetReadsAsWhatItIsWrittenFrom) {
   for (const render::ShaftTechniqueInfo& info : render::shaft_techniques()) {
-    EXPECT_FALSE(info.ladder.empty()) << info.name;
-    for (const std::string& rung : info.ladder) {
+    EXPECT_FALSE(info.presets.empty()) << info.name;
+    for (const std::string& rung : info.presets) {
       const render::ShaftSettings settings = parse_shaft_settings(rung);
       EXPECT_EQ(settings.technique, info.name);
       EXPECT_EQ(parse_shaft_settings(to_text(settings)), settings) << rung;
@@ -33,8 +33,8 @@ TEST(ShaftSettings, EveryRungOfEveryLadderReadsAsWhatItIsWrittenFrom) {
 
 TEST(ShaftSettings, WhatIsNotSetIsTheStandardValue) {
   const render::ShaftSettings settings = parse_shaft_settings("march:steps=77");
-  EXPECT_EQ(settings.whole("steps"), 77);
-  EXPECT_EQ(settings.whole("divisor"), 1);
+  EXPECT_EQ(settings.integer("steps"), 77);
+  EXPECT_EQ(settings.integer("divisor"), 1);
   EXPECT_THROW(settings.number("radius"), std::logic_error);
 }
 

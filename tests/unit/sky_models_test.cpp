@@ -11,7 +11,7 @@
 #include "render/sky/preetham.h"
 #include "render/sky/sky_model.h"
 #include "render/sun/spectrum.h"
-#include "tests/unit/table.h"
+#include "tests/testing/table.h"
 
 namespace render {
 namespace {

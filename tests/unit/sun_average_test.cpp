@@ -1,4 +1,4 @@
-#include "app/sun_average.h"
+#include "app/tables/sun_average.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "app/csv.h"
-#include "app/sky_request.h"
+#include "app/tables/csv.h"
+#include "app/tables/sky_request.h"
 #include "render/sky/hemisphere.h"
 #include "render/sun/spectrum.h"
 

@@ -1,6 +1,6 @@
 // `skyshaft sun`: CSV in and out, the diagram.
 
-#include "app/sun_table.h"
+#include "app/tables/sun_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "app/csv.h"
-#include "app/sun_path_svg.h"
+#include "app/report/sun_path_svg.h"
+#include "app/tables/csv.h"
 #include "ar/error.h"
 #include "ar/place/place.h"
 

@@ -11,7 +11,7 @@
 #include <fstream>
 
 #include "ar/error.h"
-#include "made_clip.h"
+#include "tests/testing/made_clip.h"
 
 namespace ar::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "ar/capture/metadata.h"
+#include "ar/capture/file/metadata.h"
 #include "ar/place/place.h"
 
 namespace ar {

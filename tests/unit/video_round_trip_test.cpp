@@ -9,7 +9,7 @@
 
 #include "ar/error.h"
 #include "ar/place/place.h"
-#include "made_clip.h"
+#include "tests/testing/made_clip.h"
 
 namespace ar::testing {
 namespace {

@@ -29,23 +29,23 @@ class ProgressLog {
 ShaftTechniqueInfo reference() {
   return {.name = "reference",
           .summary = "the truth: on the CPU, exact shadow boundaries, error-controlled; slow",
-          .knobs = {{.name = "sky",
-                     .meaning = "sky light: hidden by what stands before it, taken whole, or left out",
-                     .choices = {"traced", "open", "none"}},
-                    {.name = "max_error",
-                     .meaning = "relative, of the sampling of the sun's disc and of the sky",
-                     .low = 1e-5,
-                     .high = 0.1,
-                     .standard = 2e-3}},
-          .ladder = {},
+          .parameters = {{.name = "sky",
+                          .meaning = "sky light: hidden by what stands before it, taken whole, or left out",
+                          .choices = {"traced", "open", "none"}},
+                         {.name = "max_error",
+                          .meaning = "relative, of the sampling of the sun's disc and of the sky",
+                          .low = 1e-5,
+                          .high = 0.1,
+                          .default_value = 2e-3}},
+          .presets = {},
           .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
             constexpr std::array kSkies{ReferenceSky::Traced, ReferenceSky::Open, ReferenceSky::None};
             ReferenceSettings settings;
-            settings.sky = kSkies.at(static_cast<std::size_t>(s.whole("sky")));
+            settings.sky = kSkies.at(static_cast<std::size_t>(s.integer("sky")));
             settings.max_error = s.number("max_error");
             return std::make_unique<ReferenceTechnique>(settings);
           },
-          .knows_glass = true};
+          .handles_translucency = true};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/gl/texture.h"
-#include "render/shafts/closed_form.h"
+#include "render/shafts/march/closed_form.h"
 #include "render/shafts/reference/shaft_reference.h"
 
 namespace render {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "render/shafts/reference/caster_light.h"
 #include "render/shafts/reference/endless.h"
+#include "render/shafts/reference/occluder_light.h"
 
 namespace render {
 namespace {
@@ -30,8 +30,8 @@ struct Tint {
 // from the tree's origin.
 class Plane {
  public:
-  Plane(const CasterTree& casters, const ViewRay& ray, const LightOrigin& light)
-      : eye_(ray.origin_in_world - casters.origin_in_world()), x_axis_(ray.direction_in_world) {
+  Plane(const OccluderTree& occluders, const ViewRay& ray, const LightOrigin& light)
+      : eye_(ray.origin_in_world - occluders.origin_in_world()), x_axis_(ray.direction_in_world) {
     const glm::dvec3 to_light = light.parallel ? light.in_world : light.in_world - ray.origin_in_world;
     parallel_ = light.parallel;
     light_.x = glm::dot(to_light, x_axis_);
@@ -113,7 +113,7 @@ struct Cut {
 
 // Where the plane cuts a triangle. Each edge is cut from its end behind the plane, so that neighbours that share it get
 // the very same point.
-std::optional<Cut> cut(const Plane& plane, const CasterTriangle& triangle) {
+std::optional<Cut> cut(const Plane& plane, const OccluderTriangle& triangle) {
   const std::array<double, 3> off{plane.off_plane(triangle.corner[0]), plane.off_plane(triangle.corner[1]),
                                   plane.off_plane(triangle.corner[2])};
   std::array<glm::dvec2, 2> point;
@@ -156,7 +156,7 @@ class Shadows {
  public:
   explicit Shadows(const Interval& range) : range_(range) {}
 
-  void add(const Plane& plane, const CasterTriangle& triangle) {
+  void add(const Plane& plane, const OccluderTriangle& triangle) {
     const std::optional<Cut> whole = cut(plane, triangle);
     if (!whole) return;
     const std::optional<Cut> casts = casting_part(*whole, plane.ceiling());
@@ -177,9 +177,9 @@ class Shadows {
     if (shadow.from < shadow.to) dark_.push_back(shadow);
   }
 
-  std::vector<LitStretch> lit() {
+  std::vector<LitSegment> lit() {
     std::ranges::sort(dark_, {}, &Interval::from);
-    std::vector<LitStretch> out;
+    std::vector<LitSegment> out;
     double reached = range_.from;
     for (const Interval& shadow : dark_) {
       if (shadow.from - reached > kGap * std::max(1.0, reached)) append(reached, shadow.from, out);
@@ -198,7 +198,7 @@ class Shadows {
   }
 
   // [from, to] of the ray, split where tints begin and end.
-  void append(double from, double to, std::vector<LitStretch>& out) const {
+  void append(double from, double to, std::vector<LitSegment>& out) const {
     std::vector<double> places{from, to};
     std::vector<const Tint*> here;
     for (const Tint& tint : tints_) {
@@ -209,13 +209,13 @@ class Shadows {
     }
     std::ranges::sort(places);
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-      LitStretch stretch{.from_m = places[i], .to_m = places[i + 1]};
-      if (stretch.from_m >= stretch.to_m) continue;
+      LitSegment segment{.from_m = places[i], .to_m = places[i + 1]};
+      if (segment.from_m >= segment.to_m) continue;
       for (const Tint* tint : here) {
-        const bool covers = tint->where.from <= stretch.from_m && tint->where.to >= stretch.to_m;
-        if (covers) stretch.through_rgb *= tint->rgb;
+        const bool covers = tint->where.from <= segment.from_m && tint->where.to >= segment.to_m;
+        if (covers) segment.through_rgb *= tint->rgb;
       }
-      out.push_back(stretch);
+      out.push_back(segment);
     }
   }
 
@@ -226,7 +226,8 @@ class Shadows {
 };
 
 // Distance along a ray to a triangle it meets [Moeller & Trumbore 1997], with what the triangle lets through there.
-std::optional<double> hit_m(const CasterTriangle& triangle, const glm::dvec3& a_from_eye, const glm::dvec3& direction) {
+std::optional<double> hit_m(const OccluderTriangle& triangle, const glm::dvec3& a_from_eye,
+                            const glm::dvec3& direction) {
   const glm::dvec3 edge1 = triangle.corner[1] - triangle.corner[0];
   const glm::dvec3 edge2 = triangle.corner[2] - triangle.corner[0];
   const glm::dvec3 across = glm::cross(direction, edge2);
@@ -250,18 +251,19 @@ std::optional<double> hit_m(const CasterTriangle& triangle, const glm::dvec3& a_
 
 }  // namespace
 
-std::vector<LitStretch> ShadowSheet::lit(const ViewRay& ray, const LightOrigin& light, double from_m,
+std::vector<LitSegment> ShadowSheet::lit(const ViewRay& ray, const LightOrigin& light, double from_m,
                                          double to_m) const {
   if (from_m >= to_m) return {};
-  const Plane plane(casters_, ray, light);
+  const Plane plane(occluders_, ray, light);
   Shadows shadows({from_m, to_m});
   if (plane.spans()) {
-    casters_.walk(plane.bounds(from_m, to_m), [&](const CasterTriangle& triangle) { shadows.add(plane, triangle); });
+    occluders_.walk(plane.bounds(from_m, to_m),
+                    [&](const OccluderTriangle& triangle) { shadows.add(plane, triangle); });
     return shadows.lit();
   }
-  // Everything on the line between a point and the light shades it.
+  // Everything on the line between a point and the light shadows it.
   const double light_x = !light.parallel ? plane.light().x : plane.light().x > 0.0 ? kEndless : -kEndless;
-  casters_.walk(plane.along_ray(light_x > 0.0 ? from_m : -kEndless), [&](const CasterTriangle& triangle) {
+  occluders_.walk(plane.along_ray(light_x > 0.0 ? from_m : -kEndless), [&](const OccluderTriangle& triangle) {
     const std::optional<double> hit = hit_m(triangle, plane.from_eye(triangle.corner[0]), ray.direction_in_world);
     if (!hit) return;
     if (*hit < light_x) {
@@ -274,9 +276,9 @@ std::vector<LitStretch> ShadowSheet::lit(const ViewRay& ray, const LightOrigin& 
 }
 
 double ShadowSheet::first_hit_m(const ViewRay& ray, double from_m, double to_m) const {
-  const Plane plane(casters_, ray, {});
+  const Plane plane(occluders_, ray, {});
   double first = kEndless;
-  casters_.walk(plane.along_ray(from_m), [&](const CasterTriangle& triangle) {
+  occluders_.walk(plane.along_ray(from_m), [&](const OccluderTriangle& triangle) {
     const std::optional<double> hit = hit_m(triangle, plane.from_eye(triangle.corner[0]), ray.direction_in_world);
     if (hit && *hit >= from_m && *hit <= to_m) first = std::min(first, *hit);
   });

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "render/shafts/reference/caster_tree.h"
+#include "render/shafts/reference/occluder_tree.h"
 
 namespace render {
 
@@ -21,7 +21,7 @@ struct LightOrigin {
 };
 
 // A part of a view ray, in metres from its origin, that light reaches, and what is left of it there (1: all).
-struct LitStretch {
+struct LitSegment {
   double from_m = 0.0;
   double to_m = 0.0;
   glm::dvec3 through_rgb{1.0};
@@ -34,18 +34,18 @@ struct LitStretch {
 // tint.
 class ShadowSheet {
  public:
-  explicit ShadowSheet(const CasterTree& casters) : casters_(casters) {}
+  explicit ShadowSheet(const OccluderTree& occluders) : occluders_(occluders) {}
 
   // In order along the ray, not touching unless their light differs. Shadows less than a hundred-millionth of a metre
   // (or of the distance) apart are one.
-  std::vector<LitStretch> lit(const ViewRay& ray, const LightOrigin& light, double from_m, double to_m) const;
+  std::vector<LitSegment> lit(const ViewRay& ray, const LightOrigin& light, double from_m, double to_m) const;
 
   // Distance of the first triangle that the ray meets in [from_m, to_m], masked ones where they are there; infinite
   // where it meets none.
   double first_hit_m(const ViewRay& ray, double from_m, double to_m) const;
 
  private:
-  const CasterTree& casters_;
+  const OccluderTree& occluders_;
 };
 
 }  // namespace render

@@ -68,7 +68,7 @@ class HarmonicSky : public SkyModel {
 }  // namespace
 
 ShaftReference::ShaftReference(const SceneState& scene, const ReferenceSettings& settings)
-    : scene_(scene), settings_(settings), air_{*scene.medium, settings.density}, casters_(scene.instances) {
+    : scene_(scene), settings_(settings), reference_medium_{*scene.medium, settings.density}, occluders_(scene.instances) {
   scene_.sun.direction_in_world = glm::normalize(scene_.sun.direction_in_world);
   scene_.sun.illuminance_rgb *= scene.medium->shaft_gain;
   if (settings_.sky != ReferenceSky::Traced) return;
@@ -97,27 +97,27 @@ std::vector<ShaftReference::SkySample> ShaftReference::sky_samples(double max_er
 
 ReferenceLight ShaftReference::along(const ViewRay& ray, double end_m) const {
   ReferenceLight out;
-  if (air_.medium.extinction_per_m == 0.0) return out;
-  const std::optional<Stretch> stretch = inside(air_.medium.extent, ray, end_m);
-  if (!stretch) return out;
-  const RayAir air(air_, ray, stretch->from_m);
-  out.transmittance = std::exp(-air.view_depth(stretch->to_m));
-  sun_light(ray, air, *stretch, out);
-  sky_light(ray, air, *stretch, out);
-  for (const PointLight& light : settings_.lights) point_light(light, ray, air, *stretch, out);
+  if (reference_medium_.medium.extinction_per_m == 0.0) return out;
+  const std::optional<Segment> segment = inside(reference_medium_.medium.extent, ray, end_m);
+  if (!segment) return out;
+  const MediumRay path(reference_medium_, ray, segment->from_m);
+  out.transmittance = std::exp(-path.view_depth(segment->to_m));
+  sun_light(ray, path, *segment, out);
+  sky_light(ray, path, *segment, out);
+  for (const PointLight& light : settings_.lights) point_light(light, ray, path, *segment, out);
   return out;
 }
 
 // Light from one direction, as if all of the sun's came from there.
-glm::dvec3 ShaftReference::sun_from(const glm::dvec3& direction, const ViewRay& ray, const RayAir& air,
-                                    const Stretch& stretch, glm::dvec3& error) const {
-  const Medium& medium = air_.medium;
+glm::dvec3 ShaftReference::sun_from(const glm::dvec3& direction, const ViewRay& ray, const MediumRay& path,
+                                    const Segment& segment, glm::dvec3& error) const {
+  const Medium& medium = reference_medium_.medium;
   const double scale =
       medium.albedo * phase(medium.phase_function, medium.g, glm::dot(direction, ray.direction_in_world));
   const glm::dvec3 light = scene_.sun.illuminance_rgb * scale;
   glm::dvec3 sum(0.0);
-  for (const LitStretch& lit : ShadowSheet(casters_).lit(ray, {direction, true}, stretch.from_m, stretch.to_m)) {
-    const Quadrature fraction = air.sunlit_fraction(lit, direction);
+  for (const LitSegment& lit : ShadowSheet(occluders_).lit(ray, {direction, true}, segment.from_m, segment.to_m)) {
+    const Quadrature fraction = path.sunlit_fraction(lit, direction);
     sum += light * lit.through_rgb * fraction.value;
     error += light * lit.through_rgb * fraction.error;
   }
@@ -125,12 +125,12 @@ glm::dvec3 ShaftReference::sun_from(const glm::dvec3& direction, const ViewRay& 
 }
 
 // The mean over the disc, from twice as many directions each time until two means agree.
-void ShaftReference::sun_light(const ViewRay& ray, const RayAir& air, const Stretch& stretch,
+void ShaftReference::sun_light(const ViewRay& ray, const MediumRay& path, const Segment& segment,
                                ReferenceLight& out) const {
   const Sun& sun = scene_.sun;
   if (dark(sun.illuminance_rgb)) return;
   if (sun.angular_radius_rad <= 0.0) {
-    out.luminance_rgb += sun_from(sun.direction_in_world, ray, air, stretch, out.error_rgb);
+    out.luminance_rgb += sun_from(sun.direction_in_world, ray, path, segment, out.error_rgb);
     return;
   }
   const glm::dmat3 frame = frame_about(sun.direction_in_world);
@@ -142,7 +142,7 @@ void ShaftReference::sun_light(const ViewRay& ray, const RayAir& air, const Stre
        samples *= 2) {
     before = done > 0 ? sum / static_cast<double>(done) : before;
     for (; done < samples; ++done) {
-      sum += sun_from(in_disc(done, frame, sun.angular_radius_rad), ray, air, stretch, error_sum);
+      sum += sun_from(in_disc(done, frame, sun.angular_radius_rad), ray, path, segment, error_sum);
     }
     const glm::dvec3 mean = sum / static_cast<double>(done);
     const bool agree = largest(glm::abs(mean - before)) <= settings_.max_error * largest(mean);
@@ -153,43 +153,43 @@ void ShaftReference::sun_light(const ViewRay& ray, const RayAir& air, const Stre
   out.error_rgb += glm::abs(mean - before) + error_sum / static_cast<double>(done);
 }
 
-glm::dvec3 ShaftReference::traced_sky(const std::vector<SkySample>& sky, const ViewRay& ray, const RayAir& air,
-                                      const Stretch& stretch) const {
-  const Medium& medium = air_.medium;
-  const ShadowSheet sheet(casters_);
+glm::dvec3 ShaftReference::traced_sky(const std::vector<SkySample>& sky, const ViewRay& ray, const MediumRay& path,
+                                      const Segment& segment) const {
+  const Medium& medium = reference_medium_.medium;
+  const ShadowSheet sheet(occluders_);
   glm::dvec3 sum(0.0);
   for (const SkySample& sample : sky) {
     const double scale = medium.albedo * phase(medium.phase_function, medium.g,
                                                glm::dot(sample.direction_in_world, ray.direction_in_world));
-    for (const LitStretch& lit : sheet.lit(ray, {sample.direction_in_world, true}, stretch.from_m, stretch.to_m)) {
-      sum += sample.illuminance_rgb * lit.through_rgb * (scale * air.fraction(lit).value);
+    for (const LitSegment& lit : sheet.lit(ray, {sample.direction_in_world, true}, segment.from_m, segment.to_m)) {
+      sum += sample.illuminance_rgb * lit.through_rgb * (scale * path.fraction(lit).value);
     }
   }
   return sum;
 }
 
-void ShaftReference::sky_light(const ViewRay& ray, const RayAir& air, const Stretch& stretch,
+void ShaftReference::sky_light(const ViewRay& ray, const MediumRay& path, const Segment& segment,
                                ReferenceLight& out) const {
-  const Medium& medium = air_.medium;
+  const Medium& medium = reference_medium_.medium;
   if (settings_.sky == ReferenceSky::None || dark(scene_.sky_light.radiance_sh[0])) return;
   if (settings_.sky == ReferenceSky::Open) {
     const glm::dvec3 light =
         in_scatter_luminance(scene_.sky_light.radiance_sh, medium.phase_function, medium.g, ray.direction_in_world);
     out.luminance_rgb += light * (medium.fog_gain * medium.albedo *
-                                  air.fraction({.from_m = stretch.from_m, .to_m = stretch.to_m}).value);
+                                  path.fraction({.from_m = segment.from_m, .to_m = segment.to_m}).value);
     return;
   }
-  const glm::dvec3 fine = traced_sky(sky_, ray, air, stretch);
+  const glm::dvec3 fine = traced_sky(sky_, ray, path, segment);
   out.luminance_rgb += fine;
-  out.error_rgb += glm::abs(fine - traced_sky(coarse_sky_, ray, air, stretch));
+  out.error_rgb += glm::abs(fine - traced_sky(coarse_sky_, ray, path, segment));
 }
 
-void ShaftReference::point_light(const PointLight& light, const ViewRay& ray, const RayAir& air, const Stretch& stretch,
-                                 ReferenceLight& out) const {
-  const glm::dvec3 scale = light.luminous_intensity_rgb * air_.medium.albedo;
-  for (const LitStretch& lit :
-       ShadowSheet(casters_).lit(ray, {light.position_in_world, false}, stretch.from_m, stretch.to_m)) {
-    const Quadrature fraction = air.point_fraction(lit, light.position_in_world);
+void ShaftReference::point_light(const PointLight& light, const ViewRay& ray, const MediumRay& path,
+                                 const Segment& segment, ReferenceLight& out) const {
+  const glm::dvec3 scale = light.luminous_intensity_rgb * reference_medium_.medium.albedo;
+  for (const LitSegment& lit :
+       ShadowSheet(occluders_).lit(ray, {light.position_in_world, false}, segment.from_m, segment.to_m)) {
+    const Quadrature fraction = path.point_fraction(lit, light.position_in_world);
     out.luminance_rgb += scale * lit.through_rgb * fraction.value;
     out.error_rgb += scale * lit.through_rgb * fraction.error;
   }
@@ -200,7 +200,7 @@ double ShaftReference::end_on_surface(const ViewRay& ray, double axis_distance_m
   if (axis_distance_m >= 1e9) return kEndless;
   const double end = axis_distance_m * metres_per_z;
   const double doubt = 1e-5 + 2.4e-7 * axis_distance_m / View::kNearM;
-  const double hit = ShadowSheet(casters_).first_hit_m(ray, end * (1.0 - doubt), end * (1.0 + doubt));
+  const double hit = ShadowSheet(occluders_).first_hit_m(ray, end * (1.0 - doubt), end * (1.0 + doubt));
   return std::isinf(hit) ? end : hit;
 }
 

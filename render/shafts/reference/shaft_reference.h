@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "render/plan/scene_state.h"
+#include "render/scene/scene_state.h"
 #include "render/scene/view.h"
-#include "render/shafts/reference/caster_tree.h"
-#include "render/shafts/reference/ray_air.h"
+#include "render/shafts/reference/medium_ray.h"
+#include "render/shafts/reference/occluder_tree.h"
 
 namespace render {
 
@@ -20,7 +20,7 @@ struct PointLight {
 };
 
 // None; as SkyLight says, everywhere the whole sky (what the techniques that trace no sky take); or by patches that
-// casters hide.
+// occluders hide.
 enum class ReferenceSky { None, Open, Traced };
 
 struct ReferenceSettings {
@@ -73,13 +73,13 @@ class ShaftReference {
     glm::dvec3 illuminance_rgb;  // luminance times solid angle
   };
 
-  void sun_light(const ViewRay& ray, const RayAir& air, const Stretch& stretch, ReferenceLight& out) const;
-  glm::dvec3 sun_from(const glm::dvec3& direction, const ViewRay& ray, const RayAir& air, const Stretch& stretch,
+  void sun_light(const ViewRay& ray, const MediumRay& path, const Segment& segment, ReferenceLight& out) const;
+  glm::dvec3 sun_from(const glm::dvec3& direction, const ViewRay& ray, const MediumRay& path, const Segment& segment,
                       glm::dvec3& error) const;
-  void sky_light(const ViewRay& ray, const RayAir& air, const Stretch& stretch, ReferenceLight& out) const;
-  glm::dvec3 traced_sky(const std::vector<SkySample>& sky, const ViewRay& ray, const RayAir& air,
-                        const Stretch& stretch) const;
-  void point_light(const PointLight& light, const ViewRay& ray, const RayAir& air, const Stretch& stretch,
+  void sky_light(const ViewRay& ray, const MediumRay& path, const Segment& segment, ReferenceLight& out) const;
+  glm::dvec3 traced_sky(const std::vector<SkySample>& sky, const ViewRay& ray, const MediumRay& path,
+                        const Segment& segment) const;
+  void point_light(const PointLight& light, const ViewRay& ray, const MediumRay& path, const Segment& segment,
                    ReferenceLight& out) const;
   double end_on_surface(const ViewRay& ray, double axis_distance_m, double metres_per_z) const;
   Tally row(const View& view, int y, std::span<const float> axis_distance_m, ReferencePicture& out) const;
@@ -87,8 +87,8 @@ class ShaftReference {
 
   SceneState scene_;
   ReferenceSettings settings_;
-  ReferenceMedium air_;
-  CasterTree casters_;
+  ReferenceMedium reference_medium_;
+  OccluderTree occluders_;
   std::vector<SkySample> sky_;
   std::vector<SkySample> coarse_sky_;
 };

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "data/generator/glb_writer.h"
-#include "render/scene/whole_file.h"
+#include "render/base/whole_file.h"
 #include "tests/bench/scenes/scenes.h"
 
 namespace {

@@ -1,0 +1,42 @@
+#include "render/shafts/translucent_tint.h"
+
+namespace render {
+namespace {
+
+constexpr int kPictureUnit = 1;
+constexpr int kTranslucentUnit = 2;  // and 3
+// Through the light behind the panes alone, which is seldom many metres: its edges are as sharp as a march of many
+// times as many steps along whole rays makes them.
+constexpr int kSteps = 128;
+
+}  // namespace
+
+void TranslucentTint::make_storage(const ShaftPicture& size) {
+  if (tinted_.width() == size.width && tinted_.height() == size.height) return;
+  tinted_ = gl::Texture(GL_RGBA16F, size.width, size.height, gl::Filter::Linear, 1, "tinted shafts");
+  framebuffer_ = gl::Framebuffer({&tinted_}, nullptr, "tinted shafts");
+}
+
+const ShaftPicture& TranslucentTint::draw(const ShaftInputs& inputs) {
+  const ShaftPicture& untinted = untinted_->draw(inputs);
+  if (inputs.shadow.translucent().fit.empty) return untinted;
+  occluders_.update(inputs);
+  make_storage(untinted);
+  const glm::ivec2 size_px(untinted.width, untinted.height);
+  plain_state();
+  framebuffer_.bind();
+  const gl::Program& program = (occluders_.empty() ? alone_ : among_occluders_).use(inputs, size_px);
+  if (!occluders_.empty()) occluders_.bind(program, inputs, kMapUnit);
+  inputs.shadow.bind_translucent(inputs.view, program, kTranslucentUnit);
+  program.set("steps", kSteps);
+  program.set("untinted", kPictureUnit);
+  glActiveTexture(GL_TEXTURE0 + kPictureUnit);
+  glBindTexture(GL_TEXTURE_2D, untinted.texture);
+  (occluders_.empty() ? alone_ : among_occluders_).draw();
+  if (!occluders_.empty()) OccluderMap::unbind(kMapUnit);
+  picture_ = untinted;
+  picture_.texture = tinted_.id();
+  return picture_;
+}
+
+}  // namespace render

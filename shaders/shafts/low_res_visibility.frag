@@ -1,0 +1,25 @@
+#version 310 es
+// The lit part of the sunlight and the distance of each pixel of a small picture, marched.
+// variant: DIVIDED
+// variant: DIVIDED BOUNDED
+// variant: DIVIDED FALLOFF
+// variant: DIVIDED BOUNDED FALLOFF
+// variant: NO_DEPTH
+// variant: DIVIDED SUN_DISC VIRTUAL_OCCLUDERS REAL_OCCLUDERS BLOCKER_TAPS=8 FILTER_TAPS=16
+precision highp float;
+
+#define LINE_MARCH
+#include "shafts/ray.glsl"
+#include "shafts/view_depth.glsl"
+#include "shafts/epipolar_visibility.glsl"
+
+layout(location = 0) out vec2 lit_and_distance;
+
+void main() {
+  float z = view_distance(gl_FragCoord.xy);
+  Ray ray = view_ray(gl_FragCoord.xy);
+  vec2 segment = medium_segment(ray, z);
+  MediumPath path = medium_along(ray, segment.x);
+  float all = sunlight_to(path, segment.y);
+  lit_and_distance = vec2(all > 0.0 ? lit_sunlight(0, ray, path, segment, segment, all).x / all : 1.0, z);
+}
