@@ -1,4 +1,4 @@
-# Makes what equality.sh gives to the program, under work/ and outputs/. Sourced by it.
+# What is given to the program: scenes, specs, views of boards, lists of suns and skies. Sourced by equality.sh.
 
 # NAME: lines of a scene file. A pergola and a plant in the sun, in what else is said.
 variant() {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# equality_compare.sh OUT_A OUT_B: what equality.sh --compare does. Pictures and videos that differ are decoded, and by
+# compare.sh OUT_A OUT_B: what equality.sh --compare does. Pictures and videos that differ are decoded, and by
 # how much their samples differ is told: the largest difference and the root of the mean squared one, in steps of 8 or
 # 16 bits, or in cd/m2 of EXR files, beside the largest value and the root mean square of A.
 set -euo pipefail
