@@ -52,9 +52,9 @@ std::array<glm::vec3, 9> sky_scatter_sh(const SceneState& scene) {
 
 void set_light(const gl::Program& program, const SceneState& scene) {
   const Medium& medium = *scene.medium;
-  program.set("sun_direction", glm::vec3(glm::normalize(scene.sun.direction_in_world)));
+  program.set("sun_direction", glm::vec3(glm::normalize(sun_of(scene).direction_in_world)));
   program.set("sun_scattered",
-              glm::vec3(scene.sun.illuminance_rgb * (medium.albedo * medium.shaft_gain * scene.exposure)));
+              glm::vec3(sun_of(scene).illuminance_rgb * (medium.albedo * medium.shaft_gain * scene.exposure)));
   const std::array<glm::vec3, 9> sky = sky_scatter_sh(scene);
   program.set("sky_scatter_sh", sky.data(), 9);
   program.set("phase_kind", phase_kind(medium.phase_function));
@@ -65,7 +65,7 @@ void set_medium(const gl::Program& program, const ShaftInputs& inputs) {
   const View& view = inputs.view;
   const Medium& medium = *inputs.scene.medium;
   program.set("extinction", static_cast<float>(medium.extinction_per_m));
-  program.set("sun_direction_in_local", glm::vec3(glm::normalize(inputs.scene.sun.direction_in_world)));
+  program.set("sun_direction_in_local", glm::vec3(glm::normalize(sun_of(inputs.scene).direction_in_world)));
   if (medium.extent) {
     program.set("box_low_in_local", glm::vec3(medium.extent->min_in_world - view.eye_in_world));
     program.set("box_high_in_local", glm::vec3(medium.extent->max_in_world - view.eye_in_world));
@@ -126,7 +126,7 @@ gl::Defines MediumProgram::defines_of(int variant) const {
 }
 
 void MediumProgram::set_sun_disc(const gl::Program& program, const ShaftInputs& inputs) const {
-  program.set("sun_disc_slope", static_cast<float>(std::tan(inputs.scene.sun.angular_radius_rad)));
+  program.set("sun_disc_slope", static_cast<float>(std::tan(sun_of(inputs.scene).angular_radius_rad)));
   for (const auto& [kind, unit] : kMapUnits) {
     inputs.occluders().bind(kind, inputs.view, program, unit);
     inputs.occluders().bind_bounds(kind, program, unit + 2);
