@@ -1,6 +1,7 @@
 // Accuracy and cost of sun and sky. Prints the tables of docs/measurements/sky.md, or puts them there:
 //   bench_sky [--write DOCS]
-// DOCS/measurements/sky.md has a place for each table, between <!-- bench:NAME --> and <!-- /bench -->; plots go to DOCS/images.
+// DOCS/measurements/sky.md has a place for each table, between <!-- bench:NAME --> and <!-- /bench -->; plots go to
+// DOCS/images.
 
 #include "tests/bench/sky_bench.h"
 
