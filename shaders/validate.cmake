@@ -1,7 +1,8 @@
 # Checks one entry shader with glslangValidator: once for each of its lines
 #     // variant: NAME NAME=VALUE ...
-# with these symbols defined, and once plain where it has a line `// variant:` alone or no such line.
-# Run by the build: cmake -DVALIDATOR= -DROOT= -DSHADER= -DSTAMP= -P validate.cmake
+# with these symbols defined, once for each line "PATH NAME=VALUE ..." of the file LISTED that names it, and once plain
+# where it has a line `// variant:` alone or nothing at all.
+# Run by the build: cmake -DVALIDATOR= -DROOT= -DSHADER= -DSTAMP= -DLISTED= -P validate.cmake
 
 # The validator reads includes only when it links (-l), and then wants an extension that drivers do not know: a copy
 # gets it.
@@ -13,6 +14,12 @@ string(REGEX REPLACE "^(#version[^\n]*\n)"
 file(WRITE "${copy}" "${text}")
 
 file(STRINGS "${ROOT}/${SHADER}" variants REGEX "^// variant:")
+file(STRINGS "${LISTED}" listed)
+foreach(line IN LISTS listed)
+  if(line MATCHES "^${SHADER}( .*)?$")
+    list(APPEND variants "// variant:${CMAKE_MATCH_1}")
+  endif()
+endforeach()
 if(NOT variants)
   set(variants "// variant:")
 endif()

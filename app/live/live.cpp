@@ -26,7 +26,7 @@ namespace app {
 namespace {
 
 // For a frame, before the window is drawn again without one: a frame that comes meanwhile has to wait for that.
-constexpr std::chrono::milliseconds kPatience{50};
+constexpr std::chrono::milliseconds kFramePatience{50};
 // Part of the time between two frames that drawing may take: tracking and showing need some of it too.
 constexpr double kPartForDrawing = 0.75;
 constexpr std::chrono::seconds kPatienceWithGps{20};
@@ -148,7 +148,7 @@ int Session::run() {
   {
     Progress progress(std::nullopt, options_.quiet);
     while (goes_on()) {
-      if (auto frame = tracking_.take(kPatience)) {
+      if (auto frame = tracking_.take(kFramePatience)) {
         show(std::move(*frame));
         progress.update(facts_.presented);
       } else if (!feed_.lost().empty()) {

@@ -50,12 +50,12 @@ glm::dvec3 sun_illuminance_rgb(const SceneSun& sun, const glm::dvec3& natural) {
   return natural;
 }
 
-render::Instance to_instance(const SceneInstance& instance) {
+render::Instance to_instance(const SceneInstance& placed) {
   render::Instance instance;
-  instance.name = instance.name;
-  instance.model = instance.model;
-  instance.world_from_model = render::place_model(instance.position_in_world, instance.heading_rad, instance.scale);
-  instance.real = instance.real;
+  instance.name = placed.name;
+  instance.model = placed.model;
+  instance.world_from_model = render::place_model(placed.position_in_world, placed.heading_rad, placed.scale);
+  instance.real = placed.real;
   return instance;
 }
 

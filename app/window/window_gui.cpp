@@ -133,8 +133,7 @@ void WindowGui::draw() {
   glEnable(GL_SCISSOR_TEST);
   program_.use();
   program_.set("window_size", glm::vec2(data.DisplaySize.x, data.DisplaySize.y));
-  program_.set("font", 0);
-  font_.bind(0);
+  program_.bind("font", font_.handle());
   glBindVertexArray(vertex_array_);
   glBindBuffer(GL_ARRAY_BUFFER, vertices_);
   for (int l = 0; l < data.CmdListsCount; ++l) {

@@ -31,9 +31,6 @@ WindowPicture::WindowPicture(const ar::PixelFormat& format)
   const render::CodeTransform decode = render::rgb_from_code(meaning);
   program_.set("rgb_from_code", glm::mat3(decode.matrix));
   program_.set("rgb_offset", glm::vec3(decode.offset));
-  program_.set("plane0", 0);
-  program_.set("plane1", 1);
-  program_.set("plane2", 2);
 }
 
 void WindowPicture::upload(const ar::OutputFrame& picture) {
@@ -71,7 +68,9 @@ void WindowPicture::draw_part(const cv::Rect2d& frame, const cv::Point2d& px, do
 
 void WindowPicture::draw_planes() const {
   program_.use();
-  for (int p = 0; p < 3; ++p) planes_.at(static_cast<std::size_t>(p)).bind(p);
+  program_.bind("plane0", planes_[0].handle());
+  program_.bind("plane1", planes_[1].handle());
+  program_.bind("plane2", planes_[2].handle());
   render::gl::draw_full_screen(no_vertices_);
 }
 

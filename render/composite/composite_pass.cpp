@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "render/composite/encode_variant.h"
 #include "render/composite/picture_math.h"
 #include "render/composite/planes.h"
 #include "render/gl/buffer.h"
@@ -22,39 +23,6 @@ glm::ivec2 block_size(const PictureFormat& format) {
   return {format.bit_depth > 8 ? 2 : 4, format.chroma == Chroma::C420 ? 2 : 1};
 }
 
-gl::Defines defines_for(const PictureFormat& format, unsigned variant) {
-  // 4:2:2 has no vertical subsampling; siting along y does not matter there.
-  const bool centred_x = format.siting == ChromaSiting::Center;
-  const bool centred_y = format.siting != ChromaSiting::TopLeft;
-  const char* chroma = format.chroma == Chroma::C420 ? "420" : format.chroma == Chroma::C422 ? "422" : "444";
-  gl::Defines defines{{"BIT_DEPTH", std::to_string(format.bit_depth)},
-                      {"CHROMA", chroma},
-                      {"SITING_X", centred_x ? "1" : "0"},
-                      {"SITING_Y", centred_y ? "1" : "0"}};
-  switch (format.transfer) {
-    case Transfer::Bt709:
-      defines.push_back({"TRANSFER", "0"});
-      break;
-    case Transfer::Srgb:
-      defines.push_back({"TRANSFER", "1"});
-      break;
-    case Transfer::Linear:
-      defines.push_back({"TRANSFER", "2"});
-      break;
-    case Transfer::Gamma22:
-    case Transfer::Gamma28:
-      defines.push_back({"TRANSFER", "3"});
-      defines.push_back({"GAMMA", format.transfer == Transfer::Gamma22 ? "2.2" : "2.8"});
-      break;
-    case Transfer::Pq:
-    case Transfer::Hlg:
-      throw std::runtime_error("a picture with an HDR transfer function (PQ or HLG) cannot be composited; tone-map it");
-  }
-  if (format.matrix == ColorMatrix::Bt2020) defines.push_back({"WIDE_GAMUT"});
-  add_layer_defines(variant, defines);
-  return defines;
-}
-
 void set_fixed_uniforms(const gl::Program& program, const PictureFormat& format) {
   const CodeTransform decode = rgb_from_code(format);
   const CodeTransform encode = code_from_rgb(format);
@@ -67,10 +35,7 @@ void set_fixed_uniforms(const gl::Program& program, const PictureFormat& format)
   program.set("code_max", static_cast<float>(limits.max));
   program.set("picture_last", glm::ivec2(format.width, format.height) - 1);
   program.set("chroma_last", plane_size(format, 1) - 1);
-  program.set("picture_from_709", glm::mat3(bt2020_from_709()));
-  program.set("source_y", 0);
-  program.set("source_cb", 1);
-  program.set("source_cr", 2);
+  if (program.has("picture_from_709")) program.set("picture_from_709", glm::mat3(bt2020_from_709()));
 }
 
 // Packed samples of the encoded picture on their way to the planes.
@@ -94,7 +59,7 @@ struct CompositePass::Impl {
   std::array<gl::Texture, 3> planes;
   std::array<gl::Texture, 3> targets;
   gl::Framebuffer framebuffer;
-  std::map<unsigned, gl::Program> programs;
+  std::map<LayersVariant, gl::Program> programs;
   gl::VertexArray no_vertices;
   Staging staging;
 
@@ -121,10 +86,12 @@ struct CompositePass::Impl {
     format = wanted;
   }
 
-  const gl::Program& program(unsigned variant) {
+  const gl::Program& program(const LayersVariant& variant) {
     auto found = programs.find(variant);
     if (found == programs.end()) {
-      gl::Program made("lib/full_screen.vert", "composite/encode.frag", defines_for(*format, variant));
+      gl::Defines defines = encode_defines(*format);
+      variant.add_defines(defines);
+      gl::Program made("lib/full_screen.vert", "composite/encode.frag", defines);
       set_fixed_uniforms(made, *format);
       found = programs.emplace(variant, std::move(made)).first;
     }
@@ -216,7 +183,9 @@ void CompositePass::draw(const CompositeLayers& layers, const PixelRect& region)
   const gl::Program& program = impl.program(layers.variant());
   impl.framebuffer.bind();
   program.use();
-  for (int p = 0; p < 3; ++p) impl.planes[static_cast<std::size_t>(p)].bind(p);
+  program.bind("source_y", impl.planes[0].handle());
+  program.bind("source_cb", impl.planes[1].handle());
+  program.bind("source_cr", impl.planes[2].handle());
   bind_layers(layers, program);
   const glm::ivec2 block = block_size(*impl.format);
   const glm::ivec2 from = glm::ivec2(region.x, region.y) / block;

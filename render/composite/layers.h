@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/composite/ideal_view.h"
+#include "render/composite/layers_variant.h"
 #include "render/gl/program.h"
 #include "render/shafts/shaft_technique.h"
 #include "render/surface/objects_pass.h"
@@ -14,13 +15,10 @@ struct CompositeLayers {
   const LensLookup* lens = nullptr;         // null: the ideal picture is the real one, pixel by pixel
   const View* view = nullptr;               // the ideal picture; needed with shafts
 
-  // Distinguishes the programs' variants, [0, 16).
-  unsigned variant() const;
+  LayersVariant variant() const;
 };
 
-// The symbols, samplers and uniforms of shaders/composite/layers.glsl. Texture units from kLayersUnit on are used.
-inline constexpr int kLayersUnit = 3;
-void add_layer_defines(unsigned variant, gl::Defines& defines);
+// Sets the samplers and uniforms of shaders/composite/layers.glsl.
 void bind_layers(const CompositeLayers& layers, const gl::Program& program);
 
 }  // namespace render

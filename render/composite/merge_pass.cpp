@@ -7,21 +7,16 @@
 #include "render/gl/error.h"
 
 namespace render {
-namespace {
 
-constexpr unsigned kWideGamut = 16;  // past CompositeLayers::variant()
-
-}  // namespace
-
-const gl::Program& MergePass::program(unsigned variant, bool wide_gamut) {
-  const unsigned key = variant | (wide_gamut ? kWideGamut : 0);
+const gl::Program& MergePass::program(const LayersVariant& variant, bool wide_gamut) {
+  const std::pair key(variant, wide_gamut);
   auto found = programs_.find(key);
   if (found == programs_.end()) {
     gl::Defines defines;
-    add_layer_defines(variant, defines);
+    variant.add_defines(defines);
     if (wide_gamut) defines.push_back({"WIDE_GAMUT"});
     found = programs_.emplace(key, gl::Program("lib/full_screen.vert", "composite/merge.frag", defines)).first;
-    found->second.set("picture_from_709", glm::mat3(bt2020_from_709()));
+    if (wide_gamut) found->second.set("picture_from_709", glm::mat3(bt2020_from_709()));
   }
   return found->second;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "render/composite/layers.h"
@@ -33,11 +34,11 @@ class MergePass {
   const MergedPicture& read();
 
  private:
-  const gl::Program& program(unsigned variant, bool wide_gamut);
+  const gl::Program& program(const LayersVariant& variant, bool wide_gamut);
 
   std::array<gl::Texture, 2> targets_;
   gl::Framebuffer framebuffer_;
-  std::map<unsigned, gl::Program> programs_;
+  std::map<std::pair<LayersVariant, bool>, gl::Program> programs_;
   gl::VertexArray no_vertices_;
   PixelRect region_;
   std::array<std::vector<std::uint8_t>, 2> packed_;

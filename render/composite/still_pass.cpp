@@ -16,11 +16,11 @@ void StillPass::set_background(const LinearImage& background) {
   background_.upload(GL_RGB, GL_FLOAT, background.rgb.data());
 }
 
-const gl::Program& StillPass::program(unsigned variant) {
+const gl::Program& StillPass::program(const LayersVariant& variant) {
   auto found = programs_.find(variant);
   if (found == programs_.end()) {
     gl::Defines defines;
-    add_layer_defines(variant, defines);
+    variant.add_defines(defines);
     found = programs_.emplace(variant, gl::Program("lib/full_screen.vert", "composite/still.frag", defines)).first;
   }
   return found->second;
@@ -30,9 +30,8 @@ void StillPass::draw(const CompositeLayers& layers, double exposure) {
   const gl::Program& still = program(layers.variant());
   framebuffer_.bind();
   still.use();
-  still.set("background", 0);
+  still.bind("background", background_.handle());
   still.set("exposure", static_cast<float>(exposure));
-  background_.bind(0);
   bind_layers(layers, still);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);

@@ -20,12 +20,12 @@ class StillPass {
   LinearImage read() const;
 
  private:
-  const gl::Program& program(unsigned variant);
+  const gl::Program& program(const LayersVariant& variant);
 
   gl::Texture background_;
   gl::Texture result_;
   gl::Framebuffer framebuffer_;
-  std::map<unsigned, gl::Program> programs_;
+  std::map<LayersVariant, gl::Program> programs_;
   gl::VertexArray no_vertices_;
 };
 

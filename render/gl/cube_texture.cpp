@@ -10,6 +10,7 @@ namespace render::gl {
 CubeTexture::CubeTexture(GLenum internal_format, int size, int levels, std::string_view name)
     : size_(size), levels_(levels) {
   glGenTextures(1, &id_);
+  glActiveTexture(kUploadUnit);
   glBindTexture(GL_TEXTURE_CUBE_MAP, id_);
   glTexStorage2D(GL_TEXTURE_CUBE_MAP, levels, internal_format, size, size);
   glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
@@ -26,15 +27,11 @@ CubeTexture& CubeTexture::operator=(CubeTexture&& other) noexcept {
 }
 
 void CubeTexture::upload(int face, int level, GLenum format, GLenum type, const void* pixels) {
+  glActiveTexture(kUploadUnit);
   glBindTexture(GL_TEXTURE_CUBE_MAP, id_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), level, 0, 0, size_ >> level,
                   size_ >> level, format, type, pixels);
-}
-
-void CubeTexture::bind(int unit) const {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(GL_TEXTURE_CUBE_MAP, id_);
 }
 
 }  // namespace render::gl

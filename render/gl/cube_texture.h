@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "render/gl/texture.h"
+
 namespace render::gl {
 
 // An immutable-storage cube map, sampled linearly within and between its levels. Move-only.
@@ -20,7 +22,7 @@ class CubeTexture {
   // Replaces a whole face of a level, in packed rows. `face` 0 to 5: +x -x +y -y +z -z.
   void upload(int face, int level, GLenum format, GLenum type, const void* pixels);
 
-  void bind(int unit) const;
+  TextureHandle handle() const { return {GL_TEXTURE_CUBE_MAP, id_}; }
   int size() const { return size_; }
   int levels() const { return levels_; }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <regex>
 #include <sstream>
+#include <stdexcept>
 
 namespace render::gl {
 namespace {
@@ -41,23 +42,37 @@ Size size_of(GLenum type) {
   }
 }
 
-// A line "uniform vec3 name[9];  // rest".
+// A line "uniform vec3 name[9];  // rest", or one of a block without its "uniform".
 struct Declaration {
   std::string type;
   std::string name;
   std::string bounds;  // "[9]" or nothing
   int count = 1;
   std::string rest;
+  bool in_block = false;
 };
 
-std::optional<Declaration> declared_by(const std::string& line) {
+std::optional<Declaration> declared_by(const std::string& line, bool in_block = false) {
   static const std::regex declaration(
-      R"re(\s*uniform\s+(?:(?:low|medium|high)p\s+)?(\w+)\s+(\w+)(?:\[(\d+)\])?\s*;(.*))re");
+      R"re(\s*(uniform\s+)?(?:(?:low|medium|high)p\s+)?(\w+)\s+(\w+)(?:\[(\d+)\])?\s*;(.*))re");
   std::smatch found;
-  if (line.find("uniform") == std::string::npos || !std::regex_match(line, found, declaration)) return std::nullopt;
-  const bool array = found[3].matched;
-  return Declaration{found[1], found[2], array ? fmt::format("[{}]", found[3].str()) : std::string(),
-                     array ? std::stoi(found[3]) : 1, found[4]};
+  if (!in_block && line.find("uniform") == std::string::npos) return std::nullopt;
+  if (!std::regex_match(line, found, declaration) || found[1].matched == in_block) return std::nullopt;
+  const bool array = found[4].matched;
+  return Declaration{.type = found[2],
+                     .name = found[3],
+                     .bounds = array ? fmt::format("[{}]", found[4].str()) : std::string(),
+                     .count = array ? std::stoi(found[4]) : 1,
+                     .rest = found[5],
+                     .in_block = in_block};
+}
+
+// Whether a line begins a uniform block, and its name.
+std::optional<std::string> block_begun_by(const std::string& line) {
+  static const std::regex begin(R"re(\s*layout\s*\(\s*std140\s*\)\s*uniform\s+(\w+)\s*\{.*)re");
+  std::smatch found;
+  if (line.find("std140") == std::string::npos || !std::regex_match(line, found, begin)) return std::nullopt;
+  return found[1].str();
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -67,20 +82,49 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+// Calls line(text, declaration or nothing, whether it is the frame of a block) for each.
+template <typename F>
+void for_each_line(const std::vector<std::string>& lines, const F& visit) {
+  bool in_block = false;
+  for (const std::string& line : lines) {
+    const bool begins = block_begun_by(line).has_value();
+    const bool ends = in_block && line.find('}') != std::string::npos;
+    visit(line, declared_by(line, in_block), begins || ends);
+    in_block = (in_block || begins) && !ends;
+  }
+}
+
 std::map<std::string, Declaration> declarations_in(const std::vector<std::string>& lines) {
   std::map<std::string, Declaration> all;
-  for (const std::string& line : lines) {
-    if (const auto declaration = declared_by(line)) all.emplace(declaration->name, *declaration);
-  }
+  for_each_line(lines, [&](const std::string&, const std::optional<Declaration>& declaration, bool) {
+    if (declaration) all.emplace(declaration->name, *declaration);
+  });
   return all;
+}
+
+// The blocks' texts by their names.
+std::map<std::string, std::string> blocks_in(const std::vector<std::string>& lines) {
+  std::map<std::string, std::string> blocks;
+  std::string* open = nullptr;
+  for (const std::string& line : lines) {
+    if (const auto name = block_begun_by(line)) open = &blocks[*name];
+    if (open == nullptr) continue;
+    *open += line + "\n";
+    if (line.find('}') != std::string::npos) open = nullptr;
+  }
+  return blocks;
 }
 
 // The first varying of each uniform that is handed on.
 std::map<std::string, int> places_of(std::vector<FragmentUniform> uniforms,
                                      const std::map<std::string, Declaration>& declarations, int vectors) {
+  const auto in_block = [&](const FragmentUniform& uniform) {
+    const auto declaration = declarations.find(uniform.name);
+    return declaration != declarations.end() && declaration->second.in_block;
+  };
   // Where not all fit: those first of which a vector holds most.
-  std::stable_sort(uniforms.begin(), uniforms.end(), [](const FragmentUniform& a, const FragmentUniform& b) {
-    return size_of(a.type).numbers > size_of(b.type).numbers;
+  std::stable_sort(uniforms.begin(), uniforms.end(), [&](const FragmentUniform& a, const FragmentUniform& b) {
+    return std::pair(in_block(a), size_of(a.type).numbers) > std::pair(in_block(b), size_of(b.type).numbers);
   });
   std::map<std::string, int> places;
   int next = 0;
@@ -88,7 +132,10 @@ std::map<std::string, int> places_of(std::vector<FragmentUniform> uniforms,
     const auto declaration = declarations.find(uniform.name);
     if (declaration == declarations.end()) continue;
     const int size = size_of(uniform.type).vectors * declaration->second.count;
-    if (size == 0 || next + size > vectors) continue;
+    if (size == 0 || next + size > vectors) {
+      if (!declaration->second.in_block) continue;
+      throw std::runtime_error(fmt::format("the block's {} does not fit into {} varyings", uniform.name, vectors));
+    }
     places.emplace(uniform.name, next);
     next += size;
   }
@@ -128,24 +175,48 @@ StageTexts hand_on_uniforms(const StageTexts& texts, const std::vector<FragmentU
   const std::map<std::string, Declaration> in_fragment = declarations_in(fragment);
   const std::map<std::string, int> places = places_of(uniforms, in_fragment, vectors);
   StageTexts out;
-  for (const std::string& line : fragment) {
-    const std::optional<Declaration> old = declared_by(line);
+  for_each_line(fragment, [&](const std::string& line, const std::optional<Declaration>& old, bool frame_of_block) {
     const auto place = old ? places.find(old->name) : places.end();
-    out.fragment += place == places.end() ? line + "\n"
-                                          : fmt::format("layout(location = {}) flat in highp {} {}{};{}\n",
-                                                        place->second, old->type, old->name, old->bounds, old->rest);
-  }
+    if (frame_of_block || (place == places.end() && old && old->in_block)) {
+      out.fragment += "\n";  // not read here
+    } else if (place == places.end()) {
+      out.fragment += line + "\n";
+    } else {
+      out.fragment += fmt::format("layout(location = {}) flat in highp {} {}{};{}\n", place->second, old->type,
+                                  old->name, old->bounds, old->rest);
+    }
+  });
   static const std::regex main_function(R"re(\bvoid\s+main\s*\(\s*\))re");
   out.vertex = std::regex_replace(texts.vertex, main_function, "void draw()");
+  const std::map<std::string, std::string> vertex_blocks = blocks_in(lines_of(texts.vertex));
+  for (const auto& [name, text] : blocks_in(fragment)) {
+    if (!vertex_blocks.contains(name)) out.vertex += text;
+  }
   std::string handing;
   for (const auto& [name, place] : places) {
     const Declaration& old = in_fragment.at(name);
-    if (!in_vertex.contains(name)) out.vertex += fmt::format("uniform highp {} {}{};\n", old.type, name, old.bounds);
+    if (!in_vertex.contains(name) && !old.in_block) {
+      out.vertex += fmt::format("uniform highp {} {}{};\n", old.type, name, old.bounds);
+    }
     out.vertex +=
         fmt::format("layout(location = {}) flat out highp {} handed_{}{};\n", place, old.type, place, old.bounds);
     handing += fmt::format("  handed_{} = {};\n", place, name);
   }
   out.vertex += "void main() {\n  draw();\n" + handing + "}\n";
+  return out;
+}
+
+std::string without_blocks(const std::string& text) {
+  std::string out;
+  for_each_line(lines_of(text), [&](const std::string& line, const std::optional<Declaration>& old, bool frame) {
+    if (frame) {
+      out += "\n";
+    } else if (old && old->in_block) {
+      out += fmt::format("uniform highp {} {}{};{}\n", old->type, old->name, old->bounds, old->rest);
+    } else {
+      out += line + "\n";
+    }
+  });
   return out;
 }
 

@@ -26,10 +26,16 @@ struct StageTexts {
   std::string vertex;
   std::string fragment;
 };
+
+// The same text with the members of its uniform blocks ("layout(std140) uniform Name {" to "};", each member on a line
+// of its own) as plain uniforms: of these, a linked program tells which it reads.
+std::string without_blocks(const std::string& text);
+
 // The same program, but that the vertex shader hands on `uniforms` to the fragment shader, flat: scalars, vectors and
 // matrices of floats and ints and arrays of them, as far as `vectors` varyings of four numbers hold them, the fullest
 // first; samplers and the rest stay as they are. They keep their names, and are uniforms of the vertex shader alone
 // then. The fragment shader declares each on a line of its own, "uniform vec3 name;" or "uniform vec3 name[9];".
+// Members of blocks come first: throws std::runtime_error where not all of them fit.
 StageTexts hand_on_uniforms(const StageTexts& texts, const std::vector<FragmentUniform>& uniforms, int vectors);
 
 }  // namespace render::gl

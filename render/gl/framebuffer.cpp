@@ -19,6 +19,11 @@ bool has_stencil(GLenum internal_format) {
   return internal_format == GL_DEPTH24_STENCIL8 || internal_format == GL_DEPTH32F_STENCIL8;
 }
 
+bool is_depth(GLenum internal_format) {
+  return internal_format == GL_DEPTH_COMPONENT16 || internal_format == GL_DEPTH_COMPONENT24 ||
+         internal_format == GL_DEPTH_COMPONENT32F;
+}
+
 }  // namespace
 
 Renderbuffer::Renderbuffer(GLenum internal_format, int width, int height, int samples)
@@ -68,6 +73,15 @@ Framebuffer::Framebuffer(std::initializer_list<const Renderbuffer*> colors, cons
   }
   if (depth != nullptr) glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth->id());
   finish(static_cast<int>(colors.size()), name);
+}
+
+Framebuffer::Framebuffer(const LayeredTexture& texture, int layer, std::string_view name)
+    : width_(texture.width()), height_(texture.height()) {
+  glGenFramebuffers(1, &id_);
+  glBindFramebuffer(GL_FRAMEBUFFER, id_);
+  const bool depth = is_depth(texture.internal_format());
+  glFramebufferTextureLayer(GL_FRAMEBUFFER, depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0, texture.id(), 0, layer);
+  finish(depth ? 0 : 1, name);
 }
 
 void Framebuffer::finish(int color_count, std::string_view name) {

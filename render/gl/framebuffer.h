@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "render/gl/layered_texture.h"
 #include "render/gl/texture.h"
 
 namespace render::gl {
@@ -38,6 +39,8 @@ class Framebuffer {
   // `depth` null: none. Throws std::runtime_error that names `name` where the driver refuses the combination.
   Framebuffer(std::initializer_list<const Texture*> colors, const Texture* depth, std::string_view name);
   Framebuffer(std::initializer_list<const Renderbuffer*> colors, const Renderbuffer* depth, std::string_view name);
+  // One layer as the only colour, or as the depth where that is its format.
+  Framebuffer(const LayeredTexture& texture, int layer, std::string_view name);
   Framebuffer(Framebuffer&& other) noexcept { *this = std::move(other); }
   Framebuffer& operator=(Framebuffer&& other) noexcept;
   ~Framebuffer() { glDeleteFramebuffers(1, &id_); }

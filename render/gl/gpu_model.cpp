@@ -72,7 +72,6 @@ const gl::Texture* GpuModel::texture_for(const Model& model, const TextureRef& r
   texture.upload(GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
   texture.generate_mipmaps();
   texture.set_wrap(gl_wrap(ref.wrap), gl_wrap(ref.wrap));
-  texture.bind(0);
   if (gl::extensions().software) {  // which pays for every sample of a texture
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   } else if (const float most = anisotropy(); most > 1.0F) {

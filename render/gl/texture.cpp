@@ -49,6 +49,11 @@ int bytes_of(GLenum type) {
   }
 }
 
+void bind_for_upload(GLuint texture) {
+  glActiveTexture(kUploadUnit);
+  glBindTexture(GL_TEXTURE_2D, texture);
+}
+
 }  // namespace
 
 int bytes_per_pixel(GLenum format, GLenum type) {
@@ -60,7 +65,7 @@ Texture::Texture(GLenum internal_format, int width, int height, Filter filter, i
   if (width <= 0 || height <= 0) throw std::logic_error(fmt::format("texture of {} x {} pixels", width, height));
   if (levels == 0) levels = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
   glGenTextures(1, &id_);
-  glBindTexture(GL_TEXTURE_2D, id_);
+  bind_for_upload(id_);
   glTexStorage2D(GL_TEXTURE_2D, levels, internal_format, width, height);
   set_wrap(GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
   set_filter(filter);
@@ -83,7 +88,7 @@ void Texture::upload(int x, int y, int width, int height, GLenum format, GLenum 
     throw std::logic_error(fmt::format("texture upload: a row of {} bytes holds no whole number of pixels of {} bytes",
                                        row_bytes, pixel_bytes));
   }
-  glBindTexture(GL_TEXTURE_2D, id_);
+  bind_for_upload(id_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(row_bytes / pixel_bytes));
   glTexSubImage2D(GL_TEXTURE_2D, 0, x, y, width, height, format, type, pixels);
@@ -91,20 +96,20 @@ void Texture::upload(int x, int y, int width, int height, GLenum format, GLenum 
 }
 
 void Texture::generate_mipmaps() {
-  glBindTexture(GL_TEXTURE_2D, id_);
+  bind_for_upload(id_);
   glGenerateMipmap(GL_TEXTURE_2D);
 }
 
 void Texture::set_filter(Filter filter) {
   const GLint magnify = filter == Filter::Nearest ? GL_NEAREST : GL_LINEAR;
   const GLint minify = filter == Filter::Mipmap ? GL_LINEAR_MIPMAP_LINEAR : magnify;
-  glBindTexture(GL_TEXTURE_2D, id_);
+  bind_for_upload(id_);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minify);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, magnify);
 }
 
 void Texture::set_wrap(GLenum wrap_s, GLenum wrap_t) {
-  glBindTexture(GL_TEXTURE_2D, id_);
+  bind_for_upload(id_);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrap_s));
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrap_t));
 }
@@ -113,11 +118,6 @@ void Texture::set_depth_compare() {
   set_filter(Filter::Linear);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-}
-
-void Texture::bind(int unit) const {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(GL_TEXTURE_2D, id_);
 }
 
 }  // namespace render::gl

@@ -10,6 +10,15 @@ namespace render::gl {
 
 enum class Filter { Nearest, Linear, Mipmap };  // Mipmap: trilinear, levels made by generate_mipmaps()
 
+// A texture of any kind, borrowed.
+struct TextureHandle {
+  GLenum target = GL_TEXTURE_2D;
+  GLuint id = 0;
+};
+
+// Creating and filling textures goes through a unit that no program reads, so that it disturbs no binding.
+inline constexpr GLenum kUploadUnit = GL_TEXTURE0 + 31;
+
 // An immutable-storage 2D texture. Move-only. Row 0 is the picture's top row, at v = 0.
 class Texture {
  public:
@@ -31,7 +40,7 @@ class Texture {
   // For sampler2DShadow: linear filtering of the comparison reference <= texel.
   void set_depth_compare();
 
-  void bind(int unit) const;
+  TextureHandle handle() const { return {GL_TEXTURE_2D, id_}; }
   GLuint id() const { return id_; }
   int width() const { return width_; }
   int height() const { return height_; }

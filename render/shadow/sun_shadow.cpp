@@ -1,5 +1,7 @@
 #include "render/shadow/sun_shadow.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +10,8 @@
 
 #include "render/gl/buffer.h"
 #include "render/gl/framebuffer.h"
-#include "render/gl/texture.h"
+#include "render/gl/layered_texture.h"
+#include "render/gl/sampler.h"
 #include "render/shadow/depth_bounds.h"
 #include "render/shadow/translucent_shadow.h"
 
@@ -57,9 +60,7 @@ bool sun_stands(const ShadowMap& map, const glm::dvec3& rendered, const glm::dve
 
 struct SunShadow::Impl {
   struct Slot {
-    gl::Texture depth;
     gl::Framebuffer framebuffer;
-    DepthBounds bounds;
     ShadowMap map;
     std::vector<OccluderKey> keys;
     std::vector<OccluderPiece> left_out;  // of the fit
@@ -72,23 +73,36 @@ struct SunShadow::Impl {
   gl::Program opaque{"shadow/occluder.vert", "shadow/occluder.frag"};
   gl::Program masked{"shadow/occluder.vert", "shadow/occluder.frag", {{"ALPHA_MASK"}}};
   gl::VertexArray no_vertices;
-  GLuint plain_sampler = 0;
-  std::array<Slot, 2> slots;
+  gl::Sampler plain = gl::Sampler::plain();
+  gl::LayeredTexture depth;  // a layer for each kind of occluders that there is
+  DepthBounds bounds;
+  std::array<Slot, kOccluderKinds.size()> slots;
   TranslucentShadow translucent;
 
-  Impl() {
-    glGenSamplers(1, &plain_sampler);
-    glSamplerParameteri(plain_sampler, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-    glSamplerParameteri(plain_sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glSamplerParameteri(plain_sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glSamplerParameteri(plain_sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glSamplerParameteri(plain_sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  }
-  ~Impl() { glDeleteSamplers(1, &plain_sampler); }
-  Impl(const Impl&) = delete;
-  Impl& operator=(const Impl&) = delete;
+  Slot& slot(Occluders kind) { return slots[static_cast<std::size_t>(kind)]; }
 
-  Slot& slot(Occluders kind) { return slots[kind == Occluders::Virtual ? 0 : 1]; }
+  // Layers of that size for the kinds that there are; all is to be rendered anew where they change.
+  void make_storage(const std::array<bool, kOccluderKinds.size()>& there, int size, GLenum format) {
+    int layers = 0;
+    bool moved = false;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      const int layer = there[i] ? layers++ : 0;
+      moved = moved || layer != slots[i].map.layer;
+      slots[i].map.layer = layer;
+    }
+    if (layers == 0) return;
+    const bool same = depth.width() == size && depth.internal_format() == format && depth.layers() == layers;
+    if (same && !moved) return;
+    if (!same) {
+      depth = gl::LayeredTexture(gl::LayeredTexture::Kind::Array, format, size, size, layers, gl::Filter::Nearest,
+                                 "sun shadow");
+      depth.set_depth_compare();
+    }
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      slots[i].rendered = false;
+      slots[i].framebuffer = there[i] ? gl::Framebuffer(depth, slots[i].map.layer, "sun shadow") : gl::Framebuffer();
+    }
+  }
 
   bool update(Slot& slot, const SceneState& scene, const View& view, const std::vector<const Instance*>& occluders,
               int size_px, GpuModels& models) {
@@ -108,12 +122,8 @@ struct SunShadow::Impl {
     slot.keys = keys;
     slot.disc_slope = disc_slope;
     slot.sun_direction = scene.sun.direction_in_world;
-    slot.map.fit = fit;
-    slot.rendered = true;
-    ++slot.map.revision;
-    make_storage(slot, size, GL_DEPTH_COMPONENT32F);
-    draw(slot, occluders, models);
-    bound(slot);
+    render(slot, fit, size, occluders, models);
+    if (!fit.empty) bound(slot);
     return true;
   }
 
@@ -125,22 +135,18 @@ struct SunShadow::Impl {
       return false;
     }
     slot.whole_revision = whole.map.revision;
-    slot.map.fit = part;
     slot.left_out = whole.left_out;
-    slot.rendered = true;
-    ++slot.map.revision;
-    make_storage(slot, whole.map.size_px, part_format(part, whole.map.size_px));
-    draw(slot, occluders, models);
+    render(slot, part, whole.map.size_px, occluders, models);
     return true;
   }
 
-  void make_storage(Slot& slot, int size, GLenum format) {
-    if (slot.map.size_px == size && slot.depth.internal_format() == format) return;
-    slot.depth = gl::Texture(format, size, size, gl::Filter::Nearest, 1, "sun shadow");
-    slot.depth.set_depth_compare();
-    slot.framebuffer = gl::Framebuffer({}, &slot.depth, "sun shadow");
-    slot.map.depth_texture = slot.depth.id();
+  void render(Slot& slot, const ShadowFit& fit, int size, const std::vector<const Instance*>& occluders,
+              GpuModels& models) {
+    slot.map.fit = fit;
     slot.map.size_px = size;
+    slot.rendered = true;
+    ++slot.map.revision;
+    if (!fit.empty) draw(slot, occluders, models);
   }
 
   void draw(Slot& slot, const std::vector<const Instance*>& occluders, GpuModels& models) {
@@ -153,7 +159,6 @@ struct SunShadow::Impl {
     glClearDepthf(1.0F);
     glDisable(GL_SCISSOR_TEST);
     glClear(GL_DEPTH_BUFFER_BIT);
-    if (slot.map.fit.empty) return;
     // What lies beside the map must not be taken to go on there from the texels at its edge: those stay lit.
     if (!slot.left_out.empty()) {
       glEnable(GL_SCISSOR_TEST);
@@ -176,12 +181,10 @@ struct SunShadow::Impl {
   }
 
   // As far around as the search for blockers reaches (visibility.glsl).
-  void bound(Slot& slot) const {
+  void bound(const Slot& slot) {
     const glm::dvec2 texel = texel_m(slot.map);
     const double search_m = slot.disc_slope * shadow_length_m(slot.map);
-    glBindSampler(0, plain_sampler);
-    slot.bounds.update(slot.depth, no_vertices, slot.map.fit.empty ? 1.0 : search_m / std::min(texel.x, texel.y) + 2.0);
-    glBindSampler(0, 0);
+    bounds.update(depth, slot.map.layer, plain, no_vertices, search_m / std::min(texel.x, texel.y) + 2.0);
   }
 
   void use_program_for(const GpuModel& model, int index) {
@@ -192,10 +195,9 @@ struct SunShadow::Impl {
       return;
     }
     masked.use();
-    masked.set("base_color_texture", 0);
     masked.set("base_alpha", material.base_color.a);
     masked.set("alpha_cutoff", material.alpha_cutoff);
-    base_color->bind(0);
+    masked.bind("base_color_texture", base_color->handle());
   }
 };
 
@@ -203,9 +205,16 @@ SunShadow::SunShadow() : impl_(std::make_unique<Impl>()) {}
 SunShadow::~SunShadow() = default;
 
 bool SunShadow::update(const SceneState& scene, const View& view, int size_px, GpuModels& models) {
+  std::array<std::vector<const Instance*>, kOccluderKinds.size()> all;
+  std::array<bool, kOccluderKinds.size()> there{};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i] = occluders(scene, kOccluderKinds[i]);
+    there[i] = !all[i].empty();
+  }
+  impl_->make_storage(there, size_px, GL_DEPTH_COMPONENT32F);
   bool drawn = false;
-  for (const Occluders kind : kOccluderKinds) {
-    drawn |= impl_->update(impl_->slot(kind), scene, view, occluders(scene, kind), size_px, models);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    drawn |= impl_->update(impl_->slots[i], scene, view, all[i], size_px, models);
   }
   drawn |= impl_->translucent.update(scene, view, size_px, models);
   return drawn;
@@ -213,10 +222,20 @@ bool SunShadow::update(const SceneState& scene, const View& view, int size_px, G
 
 bool SunShadow::update_parts(const SunShadow& whole, const std::array<ShadowFit, 2>& parts, const SceneState& scene,
                              GpuModels& models) {
+  std::array<bool, kOccluderKinds.size()> there{};
+  int size_px = 1;
+  GLenum format = GL_DEPTH_COMPONENT16;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    there[i] = !parts[i].empty;
+    if (!there[i]) continue;
+    size_px = whole.impl_->slots[i].map.size_px;
+    if (part_format(parts[i], size_px) != format) format = GL_DEPTH_COMPONENT32F;
+  }
+  impl_->make_storage(there, size_px, format);
   bool drawn = false;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Occluders kind = kOccluderKinds[i];
-    drawn |= impl_->update_part(impl_->slot(kind), whole.impl_->slot(kind), parts[i], occluders(scene, kind), models);
+    const std::vector<const Instance*> all = occluders(scene, kOccluderKinds[i]);
+    drawn |= impl_->update_part(impl_->slots[i], whole.impl_->slots[i], parts[i], all, models);
   }
   return drawn;
 }
@@ -229,44 +248,33 @@ const TranslucentMap& SunShadow::translucent() const {
   return impl_->translucent.map();
 }
 
-void SunShadow::bind_translucent(const View& view, const gl::Program& program, int first_unit) const {
-  impl_->translucent.bind(view, program, first_unit);
+void SunShadow::bind_translucent(const View& view, const gl::Program& program) const {
+  impl_->translucent.bind(view, program);
 }
 
-void SunShadow::bind(Occluders kind, const View& view, const gl::Program& program, int first_unit) const {
-  const Impl::Slot& slot = impl_->slot(kind);
-  const std::string prefix = kind == Occluders::Virtual ? "virtual_" : "real_";
-  slot.depth.bind(first_unit);
-  slot.depth.bind(first_unit + 1);
-  glBindSampler(static_cast<GLuint>(first_unit + 1), impl_->plain_sampler);
-  const glm::dmat4 map_from_local = slot.map.fit.map_from_world * glm::inverse(view.local_from_world());
-  program.set(prefix + "compared", first_unit);
-  program.set(prefix + "depth", first_unit + 1);
-  program.set(prefix + "map_from_local", glm::mat4(map_from_local));
-  program.set(prefix + "local_from_map", glm::mat3(glm::inverse(glm::dmat3(map_from_local))));
-  program.set(prefix + "metres_per_unit", glm::vec3(slot.map.fit.metres_per_unit));
-  program.set(prefix + "texel", 1.0F / static_cast<float>(slot.map.size_px));
+void SunShadow::bind(const View& view, const gl::Program& program) const {
+  if (impl_->depth.layers() == 0) return;  // nothing has ever cast a shadow
+  program.bind("shadow_compared", impl_->depth.handle());
+  program.bind("shadow_depth", impl_->depth.handle(), &impl_->plain);
+  program.bind("shadow_bounds", impl_->bounds.texture().handle());
+  for (std::size_t i = 0; i < impl_->slots.size(); ++i) {
+    const ShadowMap& map = impl_->slots[i].map;
+    if (map.fit.empty) continue;
+    const auto set = [&](const char* member, const auto& value) {
+      program.set(fmt::format("shadow_maps[{}].{}", i, member), value);
+    };
+    const glm::dmat4 map_from_local = map.fit.map_from_world * glm::inverse(view.local_from_world());
+    set("map_from_local", glm::mat4(map_from_local));
+    set("local_from_map", glm::mat3(glm::inverse(glm::dmat3(map_from_local))));
+    set("metres_per_unit", glm::vec3(map.fit.metres_per_unit));
+    set("texel", 1.0F / static_cast<float>(map.size_px));
+    set("reach", impl_->bounds.reach_texels(map.layer) / static_cast<float>(map.size_px));
+    set("layer", static_cast<float>(map.layer));
+  }
 }
 
-void SunShadow::bind_bounds(Occluders kind, const gl::Program& program, int unit) const {
-  const Impl::Slot& slot = impl_->slot(kind);
-  const std::string prefix = kind == Occluders::Virtual ? "virtual_" : "real_";
-  slot.bounds.texture().bind(unit);
-  program.set(prefix + "bounds", unit);
-  program.set(prefix + "reach", slot.bounds.reach_texels() / static_cast<float>(slot.map.size_px));
-}
-
-void SunShadow::bind_depth(Occluders kind, int unit) const {
-  impl_->slot(kind).depth.bind(unit);
-  glBindSampler(static_cast<GLuint>(unit), impl_->plain_sampler);
-}
-
-void SunShadow::unbind_depth(int unit) {
-  glBindSampler(static_cast<GLuint>(unit), 0);
-}
-
-void SunShadow::unbind(int first_unit) {
-  glBindSampler(static_cast<GLuint>(first_unit + 1), 0);
+void SunShadow::bind_depth(const gl::Program& program, std::string_view sampler) const {
+  program.bind(sampler, impl_->depth.handle(), &impl_->plain);
 }
 
 }  // namespace render

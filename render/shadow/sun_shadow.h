@@ -5,6 +5,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "render/gl/gpu_model.h"
@@ -15,9 +16,9 @@
 
 namespace render {
 
-// A depth map (DEPTH_COMPONENT32F, or 16 for the medium alone; compare mode LEQUAL, linear filter) and where it looks.
+// A depth map, one layer of an array of them (DEPTH_COMPONENT32F, or 16 for the medium alone), and where it looks.
 struct ShadowMap {
-  GLuint depth_texture = 0;
+  int layer = 0;
   int size_px = 0;
   unsigned revision = 0;  // counts its renderings
   ShadowFit fit;
@@ -48,22 +49,17 @@ class SunShadow {
   bool update_parts(const SunShadow& whole, const std::array<ShadowFit, 2>& parts, const SceneState& scene,
                     GpuModels& models);
 
-  // fit.empty where nothing of that kind casts a shadow; the texture is then a single lit texel.
+  // fit.empty where nothing of that kind casts a shadow: there is no layer then.
   const ShadowMap& map(Occluders kind) const;
 
   const TranslucentMap& translucent() const;
-  // The glass's depth and tint to two texture units, and the uniforms of shaders/shadow/translucent.glsl.
-  void bind_translucent(const View& view, const gl::Program& program, int first_unit) const;
+  // Sets all that shaders/shadow/translucent.glsl declares.
+  void bind_translucent(const View& view, const gl::Program& program) const;
 
-  // Binds the map to texture units `first_unit` (compared) and `first_unit + 1` (plain depth) and sets the uniforms
-  // that shaders/shadow/sun_map.glsl declares for it. `prefix` is "virtual" or "real".
-  void bind(Occluders kind, const View& view, const gl::Program& program, int first_unit) const;
-  static void unbind(int first_unit);  // lets go of the units' samplers
-  // Binds the plain depth alone; 0 to 1, an empty texel holds 1. unbind_depth() lets go of the unit's sampler.
-  void bind_depth(Occluders kind, int unit) const;
-  static void unbind_depth(int unit);
-  // The same as bind() for the bounds of its depths (DepthBounds), on one texture unit.
-  void bind_bounds(Occluders kind, const gl::Program& program, int unit) const;
+  // Sets all that shaders/shadow/shadow_maps.glsl declares but the sun's disc. Needs bounds: not of cascades.
+  void bind(const View& view, const gl::Program& program) const;
+  // Binds the array of plain depths to that sampler: 0 to 1, an empty texel holds 1.
+  void bind_depth(const gl::Program& program, std::string_view sampler) const;
 
  private:
   struct Impl;

@@ -77,20 +77,17 @@ void TranslucentShadow::draw_meshes(const std::vector<const Instance*>& transluc
       program.set("map_clip_from_model", clip_from_model);
       program.set("base_color", material.base_color);
       if (base_color != nullptr) {
-        program.set("base_color_texture", 0);
-        base_color->bind(0);
+        program.bind("base_color_texture", base_color->handle());
       }
       model.draw(mesh);
     }
   }
 }
 
-void TranslucentShadow::bind(const View& view, const gl::Program& program, int first_unit) const {
+void TranslucentShadow::bind(const View& view, const gl::Program& program) const {
   if (map_.fit.empty) return;
-  depth_.bind(first_unit);
-  tint_.bind(first_unit + 1);
-  program.set("translucent_depth", first_unit);
-  program.set("translucent_tint", first_unit + 1);
+  program.bind("translucent_depth", depth_.handle());
+  program.bind("translucent_tint", tint_.handle());
   program.set("translucent_map_from_local", glm::mat4(map_.fit.map_from_world * glm::inverse(view.local_from_world())));
   // A pane does not tint itself: not what is nearer behind it than this.
   program.set("translucent_bias", static_cast<float>(0.01 / map_.fit.metres_per_unit.z));

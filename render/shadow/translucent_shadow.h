@@ -16,7 +16,7 @@ class TranslucentShadow {
   // As SunShadow::update().
   bool update(const SceneState& scene, const View& view, int size_px, GpuModels& models);
   const TranslucentMap& map() const { return map_; }
-  void bind(const View& view, const gl::Program& program, int first_unit) const;
+  void bind(const View& view, const gl::Program& program) const;
 
  private:
   struct Key {

@@ -70,10 +70,8 @@ VisibleDepth VisibleDepthPass::read(const View& view, GLuint depth) {
   glDisable(GL_CULL_FACE);
   framebuffer_.bind();
   program_.use();
-  program_.set("view_depth", 0);
+  program_.bind("view_depth", {GL_TEXTURE_2D, depth});
   program_.set("tile_px", VisibleDepth::kTilePx);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, depth);
   gl::draw_full_screen(no_vertices_);
   const std::vector<float> found = gl::read_red(farthest_.id(), seen.columns, seen.rows);
   std::ranges::transform(found, seen.axis_distance_m.begin(), [](float value) {

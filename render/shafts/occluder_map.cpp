@@ -9,8 +9,6 @@
 namespace render {
 namespace {
 
-constexpr std::array<int, 2> kUnits{8, 10};  // each also takes the next
-
 struct Range {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
@@ -107,8 +105,9 @@ void OccluderMap::draw(const ShaftInputs& inputs) {
   }
   size_px_ = wanted_size();
   if (depth_.width() != size_px_.x || depth_.height() != size_px_.y) {
-    depth_ = gl::Texture(GL_R32F, size_px_.x, size_px_.y, gl::Filter::Nearest, 1, "first occluders");
-    framebuffer_ = gl::Framebuffer({&depth_}, nullptr, "first occluders");
+    depth_ = gl::LayeredTexture(gl::LayeredTexture::Kind::Array, GL_R32F, size_px_.x, size_px_.y, 1,
+                                gl::Filter::Nearest, "first occluders");
+    framebuffer_ = gl::Framebuffer(depth_, 0, "first occluders");
   }
   const gl::Program& program =
       programs_.try_emplace(present, "lib/full_screen.vert", "shafts/occluder_map.frag", defines).first->second;
@@ -116,30 +115,39 @@ void OccluderMap::draw(const ShaftInputs& inputs) {
   framebuffer_.bind();
   program.use();
   program.set("texel", 1.0F / glm::vec2(size_px_));
+  key_.maps->bind_depth(program, "shadow_depth");
+  std::array<glm::vec3, kOccluderKinds.size()> scales{};
+  std::array<glm::vec3, kOccluderKinds.size()> lows{};
+  glm::ivec2 layers(0);
   for (std::size_t i = 0; i < kOccluderKinds.size(); ++i) {
-    const ShadowFit& fit = key_.maps->map(kOccluderKinds[i]).fit;
-    if (fit.empty) continue;
-    key_.maps->bind(kOccluderKinds[i], inputs.view, program, kUnits[i]);
-    const glm::dmat4 shadow_from_map = fit.map_from_world * glm::inverse(map_from_world_);
-    const std::string prefix = i == 0 ? "virtual_" : "real_";
-    program.set(prefix + "scale", glm::vec3(shadow_from_map[0].x, shadow_from_map[1].y, shadow_from_map[2].z));
-    program.set(prefix + "low", glm::vec3(shadow_from_map[3]));
+    const ShadowMap& map = key_.maps->map(kOccluderKinds[i]);
+    if (map.fit.empty) continue;
+    const glm::dmat4 shadow_from_map = map.fit.map_from_world * glm::inverse(map_from_world_);
+    scales[i] = glm::vec3(shadow_from_map[0].x, shadow_from_map[1].y, shadow_from_map[2].z);
+    lows[i] = glm::vec3(shadow_from_map[3]);
+    layers[static_cast<int>(i)] = map.layer;
   }
+  program.set("scales", scales.data(), static_cast<int>(scales.size()));
+  program.set("lows", lows.data(), static_cast<int>(lows.size()));
+  program.set("layers", layers);
   gl::draw_full_screen(no_vertices_);
-  for (const int unit : kUnits) SunShadow::unbind(unit);
 }
 
-void OccluderMap::bind(const gl::Program& program, const ShaftInputs& inputs, int unit) const {
+void OccluderMap::bind_depth(const gl::Program& program) const {
+  if (only_) {
+    key_.maps->bind_depth(program, "occluder_depth");
+  } else {
+    program.bind("occluder_depth", depth_.handle());
+  }
+  program.set("occluder_layer", only_ ? key_.maps->map(*only_).layer : 0);
+}
+
+void OccluderMap::bind(const gl::Program& program, const ShaftInputs& inputs) const {
   const glm::dvec2 texel_m = glm::dvec2(size_m_) / glm::dvec2(size_px_);
   program.set("map_from_local", glm::mat4(map_from_world_ * glm::inverse(inputs.view.local_from_world())));
   program.set("end_margin_m", static_cast<float>(3.0 * std::max(texel_m.x, texel_m.y)));
   program.set("end_margin", 0.0F);
-  program.set("occluder_depth", unit);
-  if (only_) {
-    key_.maps->bind_depth(*only_, unit);
-  } else {
-    depth_.bind(unit);
-  }
+  bind_depth(program);
 }
 
 }  // namespace render

@@ -12,9 +12,6 @@
 
 namespace render {
 
-// The texture unit where techniques bind it, beside those of MediumProgram.
-inline constexpr int kMapUnit = 8;
-
 // What a march along view rays looks up: the first occluder of any kind on the light's way, cut to where the medium can
 // be shadowed. Made anew when a shadow map or the medium's box has changed.
 class OccluderMap {
@@ -28,9 +25,10 @@ class OccluderMap {
   void update(const ShaftInputs& inputs) { update(inputs, inputs.occluders()); }
 
   bool empty() const { return empty_; }  // no occluders
-  // To that texture unit, with all that shaders/shafts/occluder_depth.glsl needs. unbind() lets go of the unit.
-  void bind(const gl::Program& program, const ShaftInputs& inputs, int unit) const;
-  static void unbind(int unit) { SunShadow::unbind_depth(unit); }
+  // Sets all that shaders/shafts/occluder_depth.glsl declares; the margins at a ray's end where the program has them.
+  void bind(const gl::Program& program, const ShaftInputs& inputs) const;
+  // The map alone: occluder_depth and occluder_layer.
+  void bind_depth(const gl::Program& program) const;
   glm::ivec2 size_px() const { return size_px_; }
   // (u, v, depth): u and v 0 to 1 inside the map, depth along the light's travel, 0 to 1 where occluders are.
   const glm::dmat4& map_from_world() const { return map_from_world_; }
@@ -56,7 +54,7 @@ class OccluderMap {
   glm::ivec2 size_px_{1};
   glm::dmat4 map_from_world_{1.0};
   glm::dvec3 size_m_{1.0};
-  gl::Texture depth_;
+  gl::LayeredTexture depth_;
   gl::Framebuffer framebuffer_;
   std::map<int, gl::Program> programs_;
   gl::VertexArray no_vertices_;

@@ -3,8 +3,6 @@
 namespace render {
 namespace {
 
-constexpr int kPictureUnit = 1;
-constexpr int kTranslucentUnit = 2;  // and 3
 // Through the light behind the panes alone, which is seldom many metres: its edges are as sharp as a march of many
 // times as many steps along whole rays makes them.
 constexpr int kSteps = 128;
@@ -26,14 +24,11 @@ const ShaftPicture& TranslucentTint::draw(const ShaftInputs& inputs) {
   plain_state();
   framebuffer_.bind();
   const gl::Program& program = (occluders_.empty() ? alone_ : among_occluders_).use(inputs, size_px);
-  if (!occluders_.empty()) occluders_.bind(program, inputs, kMapUnit);
-  inputs.shadow.bind_translucent(inputs.view, program, kTranslucentUnit);
+  if (!occluders_.empty()) occluders_.bind(program, inputs);
+  inputs.shadow.bind_translucent(inputs.view, program);
   program.set("steps", kSteps);
-  program.set("untinted", kPictureUnit);
-  glActiveTexture(GL_TEXTURE0 + kPictureUnit);
-  glBindTexture(GL_TEXTURE_2D, untinted.texture);
+  program.bind("untinted", {GL_TEXTURE_2D, untinted.texture});
   (occluders_.empty() ? alone_ : among_occluders_).draw();
-  if (!occluders_.empty()) OccluderMap::unbind(kMapUnit);
   picture_ = untinted;
   picture_.texture = tinted_.id();
   return picture_;

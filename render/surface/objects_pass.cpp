@@ -13,12 +13,6 @@
 namespace render {
 namespace {
 
-constexpr int kLightUnit = 5;  // and its marks 6
-constexpr int kMirrorUnit = 7;
-constexpr int kVirtualMapUnit = 8;    // and 9; its bounds 10
-constexpr int kRealMapUnit = 11;      // and 12; its bounds 13
-constexpr int kTranslucentUnit = 14;  // and 15
-
 void clear_color(const gl::Framebuffer& framebuffer, float rgb) {
   framebuffer.bind();
   const std::array<GLfloat, 4> color{rgb, rgb, rgb, 1.0F};
@@ -102,11 +96,8 @@ struct ObjectsPass::Impl {
 
   void set_light(const gl::Program& program) const {
     lighting.set(program);
-    shadow->bind(Occluders::Virtual, *view, program, kVirtualMapUnit);
-    shadow->bind(Occluders::Real, *view, program, kRealMapUnit);
-    shadow->bind_bounds(Occluders::Virtual, program, kVirtualMapUnit + 2);
-    shadow->bind_bounds(Occluders::Real, program, kRealMapUnit + 2);
-    shadow->bind_translucent(*view, program, kTranslucentUnit);
+    shadow->bind(*view, program);
+    if (casts.translucent) shadow->bind_translucent(*view, program);
   }
 
   void draw_real_depth(const std::vector<Draw>& real) const {
@@ -121,7 +112,7 @@ struct ObjectsPass::Impl {
   void draw_real(const gl::Program& program, const std::vector<Draw>& real) const {
     program.use();
     set_light(program);
-    program.set("added", kLightUnit);
+    program.bind("added", targets.added.handle());
     for (const Draw& draw : real) {
       set_transforms(program, *draw.instance);
       draw.model->draw(*draw.mesh);
@@ -140,7 +131,6 @@ struct ObjectsPass::Impl {
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, 1, 0xFF);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    targets.added.bind(kLightUnit);
     draw_real(programs.real_shadow(casts, true), real);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glStencilFunc(GL_EQUAL, 1, 0xFF);
@@ -165,11 +155,11 @@ struct ObjectsPass::Impl {
       SurfacePrograms::set_material(program, draw.material(), draw.textures());
       if (use != SurfacePrograms::Use::Depth) {
         set_light(program);
-        sky_mirror.bind(program, kMirrorUnit);
+        sky_mirror.bind(program);
       }
       if (use == SurfacePrograms::Use::SmoothEdges) {
-        program.set("shaded", kLightUnit);
-        program.set("marks", kLightUnit + 1);
+        program.bind("shaded", targets.light.handle());
+        program.bind("marks", targets.marks.handle());
         const bool cut_out = is_cut_out(draw.material(), draw.textures());
         (cut_out ? glEnable : glDisable)(GL_SAMPLE_ALPHA_TO_COVERAGE);
         // The target's alpha is what stays uncovered: nothing of it where a mask's alpha made a sample covered.
@@ -222,8 +212,6 @@ struct ObjectsPass::Impl {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     draw_real_depth(real);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    targets.light.bind(kLightUnit);
-    targets.marks.bind(kLightUnit + 1);
     draw_virtual(SurfacePrograms::Use::SmoothEdges, solid);
     draw_blended(targets.smooth, blended);
     gl::blit_color(targets.smooth, 0, targets.added_only, covered.x, covered.y, covered.width, covered.height);
@@ -236,8 +224,7 @@ struct ObjectsPass::Impl {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     uncovered_program.use();
-    uncovered_program.set("added", 0);
-    targets.added.bind(0);
+    uncovered_program.bind("added", targets.added.handle());
     gl::draw_full_screen(no_vertices);
     glDisable(GL_BLEND);
   }
@@ -279,8 +266,6 @@ struct ObjectsPass::Impl {
     }
     if (casts.virtual_occluders && !picture.touched.empty()) draw_real_shadow(real);
     if (!covered.empty()) cover_multiplier();
-    SunShadow::unbind(kVirtualMapUnit);
-    SunShadow::unbind(kRealMapUnit);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);

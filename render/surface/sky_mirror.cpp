@@ -55,9 +55,8 @@ void SkyMirror::fill() {
   }
 }
 
-void SkyMirror::bind(const gl::Program& program, int unit) const {
-  cube_.bind(unit);
-  program.set("sky_mirror", unit);
+void SkyMirror::bind(const gl::Program& program) const {
+  program.bind("sky_mirror", cube_.handle());
   program.set("sky_mirror_unit", static_cast<float>(peak_luminance_ * exposure_));
   program.set("sky_mirror_last_level", static_cast<float>(cube_.levels() - 1));
 }

@@ -15,7 +15,7 @@ class SkyMirror {
  public:
   void update(const SceneState& scene);
   // For shaders/surface/shading.glsl.
-  void bind(const gl::Program& program, int unit) const;
+  void bind(const gl::Program& program) const;
 
  private:
   void fill();

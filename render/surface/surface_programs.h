@@ -1,17 +1,19 @@
 #pragma once
 
 #include <map>
+#include <string>
 
 #include "render/gl/gpu_model.h"
 #include "render/gl/program.h"
+#include "render/surface/surface_variant.h"
 
 namespace render {
 
 // Whether a texture cuts holes into the surface.
 bool is_cut_out(const Material& material, const GpuModel::Textures& textures);
 
-// The variants of the programs in shaders/scene that a scene's materials and occluders need, compiled when first asked
-// for.
+// The variants of the programs in shaders/surface that a scene's materials and occluders need, compiled when first
+// asked for.
 class SurfacePrograms {
  public:
   // `quick_shadows`: soft shadows from fewer samples, whose penumbras are coarser.
@@ -24,7 +26,7 @@ class SurfacePrograms {
   };
 
   // What a virtual surface is drawn for: its depth; its light; that and a mark to know the surface by; smooth edges
-  // from light and marks that are there already (shaders/scene/{depth,object,smooth}.frag).
+  // from light and marks that are there already (shaders/surface/{depth,object,smooth}.frag).
   enum class Use { Depth, Light, MarkedLight, SmoothEdges };
   const gl::Program& virtual_surface(Use use, const Material& material, const GpuModel::Textures& textures,
                                      Casts casts);
@@ -32,13 +34,14 @@ class SurfacePrograms {
   // `sought`: only finds where there may be any (shaders/surface/real_shadow.frag).
   const gl::Program& real_shadow(Casts casts, bool sought);
 
-  // Sets the material's uniforms and binds its textures to units 0 to 4.
+  // Sets the material's uniforms and binds its textures, as far as the program reads them.
   static void set_material(const gl::Program& program, const Material& material, const GpuModel::Textures& textures);
 
  private:
+  const gl::Program& program_for(const char* shader, const SurfaceVariant& variant);
+
   bool quick_shadows_;
-  std::map<unsigned, gl::Program> virtual_;
-  std::map<unsigned, gl::Program> real_shadow_;
+  std::map<std::pair<std::string, SurfaceVariant>, gl::Program> programs_;
   gl::Program real_depth_{"surface/surface.vert", "surface/depth.frag"};
 };
 

@@ -1,12 +1,6 @@
 #version 310 es
 // Objects and medium together as one layer over the real picture, in 8 bits, for a picture that is put together on the
 // CPU: real * keep + add. `add` as the square root of its part of kMergedWhite, which is finest where the eye is.
-// variant: OBJECTS
-// variant: SHAFTS
-// variant: OBJECTS SHAFTS
-// variant: OBJECTS SHAFTS SHAFTS_HALF
-// variant: OBJECTS SHAFTS SHAFTS_WHOLE
-// variant: OBJECTS SHAFTS WIDE_GAMUT
 precision highp float;
 precision highp int;
 

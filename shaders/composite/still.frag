@@ -1,13 +1,6 @@
 #version 310 es
 // Objects and medium over a background that is linear light already: a still without a camera picture. Values are
 // pre-exposed; the result is divided by the exposure, so that it is luminance in cd/m2.
-// variant:
-// variant: OBJECTS
-// variant: SHAFTS
-// variant: OBJECTS SHAFTS
-// variant: OBJECTS SHAFTS SHAFTS_HALF
-// variant: OBJECTS SHAFTS SHAFTS_WHOLE
-// variant: OBJECTS SHAFTS LENS
 precision highp float;
 precision highp int;
 

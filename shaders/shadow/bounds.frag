@@ -5,24 +5,25 @@
 // variant:
 precision highp float;
 
-uniform highp sampler2D source;  // BLOCK: the map, else bounds
+uniform highp sampler2DArray source;  // BLOCK: the maps, else bounds
+uniform int layer;                    // of it
 uniform ivec2 direction;         // without BLOCK: along which axis to reach out
 uniform int reach;               // and how many texels of `source` to either side
 
 layout(location = 0) out vec2 bounds;
 
 void main() {
-  ivec2 last = textureSize(source, 0) - 1;
+  ivec2 last = textureSize(source, 0).xy - 1;
   ivec2 at = ivec2(gl_FragCoord.xy);
   bounds = vec2(1.0, 0.0);
 #ifdef BLOCK
   for (int i = 0; i < BLOCK * BLOCK; ++i) {
-    float depth = texelFetch(source, min(at * BLOCK + ivec2(i % BLOCK, i / BLOCK), last), 0).r;
+    float depth = texelFetch(source, ivec3(min(at * BLOCK + ivec2(i % BLOCK, i / BLOCK), last), layer), 0).r;
     bounds = vec2(min(bounds.x, depth), max(bounds.y, depth));
   }
 #else
   for (int i = -reach; i <= reach; ++i) {
-    vec2 there = texelFetch(source, clamp(at + i * direction, ivec2(0), last), 0).rg;
+    vec2 there = texelFetch(source, ivec3(clamp(at + i * direction, ivec2(0), last), layer), 0).rg;
     bounds = vec2(min(bounds.x, there.x), max(bounds.y, there.y));
   }
 #endif

@@ -2,6 +2,15 @@
 //
 // Map coordinates: (u, v, depth), 0 to 1 inside the map, depth along the light's travel (render/shadow/sun_shadow.h).
 
+struct ShadowMap {
+  mat4 map_from_local;
+  mat3 local_from_map;
+  vec3 metres_per_unit;  // size of the map along u, v, depth
+  float texel;           // 1 / map size
+  float reach;           // of depth_bounds, in map units to either side
+  float layer;           // of the depth arrays
+};
+
 // What the receiver's own plane does to depth across the map: d depth / d (u, v), from its normal. Each column of
 // local_from_map is one map unit in metres. Isidoro 2006, "Shadow mapping: GPU-based tips and techniques": receiver
 // plane depth bias, here from the known normal instead of screen derivatives, so that it is exact on edges too.
@@ -26,15 +35,15 @@ struct BlockerSearch {
   bool dark;       // nothing of it is
 };
 
-//   depth_bounds     nearest and farthest depth (r, g) in the square of `reach` (in map units) to either side
-//   at_in_map        the receiver
-//   slope            receiver_slope()
-//   texel            1 / map size
-//   metres_per_unit  size of the map along u, v, depth
-//   disc_slope       tangent of the sun's angular radius; 0: sharp
-BlockerSearch blocker_search(highp sampler2D depth_bounds, float reach, vec3 at_in_map, vec2 slope, float texel,
-                             vec3 metres_per_unit, float disc_slope) {
+//   depth_bounds  nearest and farthest depth (r, g) in the square of map.reach to either side
+//   at_in_map     the receiver
+//   slope         receiver_slope()
+//   disc_slope    tangent of the sun's angular radius; 0: sharp
+BlockerSearch blocker_search(highp sampler2DArray depth_bounds, ShadowMap map, vec3 at_in_map, vec2 slope,
+                             float disc_slope) {
   BlockerSearch search;
+  float texel = map.texel;
+  vec3 metres_per_unit = map.metres_per_unit;
   // Texels hold the depth at their centres, up to one texel from the point of a bilinear comparison.
   search.receiver = at_in_map.z - (abs(slope.x) + abs(slope.y)) * texel - 0.0005 / metres_per_unit.z;
   search.radius = disc_slope * search.receiver * metres_per_unit.z / metres_per_unit.xy + texel;
@@ -42,9 +51,9 @@ BlockerSearch blocker_search(highp sampler2D depth_bounds, float reach, vec3 at_
   bool beside = any(lessThan(at_in_map.xy, -search.radius)) || any(greaterThan(at_in_map.xy, 1.0 + search.radius));
   // Behind or before all that the search can meet: most of a picture is fully lit or fully dark. An empty texel holds
   // 1.
-  vec2 bounds = textureLod(depth_bounds, at_in_map.xy, 0.0).rg;
+  vec2 bounds = textureLod(depth_bounds, vec3(at_in_map.xy, map.layer), 0.0).rg;
   float spread = dot(abs(slope), search.radius);
-  bool bounded = max(search.radius.x, search.radius.y) + texel <= reach;
+  bool bounded = max(search.radius.x, search.radius.y) + texel <= map.reach;
   search.lit = search.receiver <= 0.0 || beside || (bounded && min(search.receiver + spread, 1.0) <= bounds.x);
   search.dark = !search.lit && bounded && min(search.receiver - spread, 1.0) > bounds.y;
   // No blocker is farther up the light than the nearest depth.
@@ -57,9 +66,11 @@ BlockerSearch blocker_search(highp sampler2D depth_bounds, float reach, vec3 at_
 
 // Percentage-closer soft shadows (Fernando 2005) for a parallel sun with a disc: the penumbra of a blocker that is
 // `gap` metres up the light is gap * tan(angular radius) in radius, wherever the receiver is. `depth_compare` and
-// `depth_value` are the same map with and without comparison; the rest as for blocker_search().
-float sun_visibility(highp sampler2DShadow depth_compare, highp sampler2D depth_value, BlockerSearch search,
-                     vec3 at_in_map, vec2 slope, float texel, vec3 metres_per_unit, float disc_slope) {
+// `depth_value` are the same maps with and without comparison; the rest as for blocker_search().
+float sun_visibility(highp sampler2DArrayShadow depth_compare, highp sampler2DArray depth_value, ShadowMap map,
+                     BlockerSearch search, vec3 at_in_map, vec2 slope, float disc_slope) {
+  float texel = map.texel;
+  vec3 metres_per_unit = map.metres_per_unit;
   // Software rasterisers run all code that no lane needs, and every loop once; what is decided takes no further turn.
   int search_taps = search.lit || search.dark ? 0 : BLOCKER_TAPS;
   float blockers = 0.0;
@@ -68,7 +79,7 @@ float sun_visibility(highp sampler2DShadow depth_compare, highp sampler2D depth_
   for (int i = 0; i < search_taps; ++i) {
     vec2 offset = direction * sqrt((float(i) + 0.5) / float(BLOCKER_TAPS)) * search.radius;
     direction = next_direction(direction);
-    float depth = textureLod(depth_value, at_in_map.xy + offset, 0.0).r;
+    float depth = textureLod(depth_value, vec3(at_in_map.xy + offset, map.layer), 0.0).r;
     if (depth < min(search.receiver + dot(slope, offset), 1.0)) {
       blockers += 1.0;
       blocker_depth += depth;
@@ -87,7 +98,7 @@ float sun_visibility(highp sampler2DShadow depth_compare, highp sampler2D depth_
     vec2 offset = direction * sqrt((float(i) + 0.5) * share) * radius;
     direction = next_direction(direction);
     float reference = min(search.receiver + dot(slope, offset), 1.0);  // behind all occluders too, an empty texel is lit
-    lit += textureLod(depth_compare, vec3(at_in_map.xy + offset, reference), 0.0);
+    lit += texture(depth_compare, vec4(at_in_map.xy + offset, map.layer, reference));
   }
   if (undecided) return lit * share;
   return search.lit || (!search.dark && blockers < 0.5) ? 1.0 : 0.0;

@@ -1,12 +1,6 @@
 #version 310 es
 // Each pixel from those of the small picture around it: Gaussian in distance across the picture, and falling with the
 // relative difference of the distances to what is seen (Tomasi & Manduchi 1998; Kopf et al. 2007, joint upsampling).
-// variant:
-// variant: NO_DEPTH
-// variant: SKY_AT_CORNERS BOUNDED
-// variant: BOUNDED
-// variant: FALLOFF
-// variant: BOUNDED FALLOFF
 precision highp float;
 
 #include "shafts/ray.glsl"

@@ -8,8 +8,7 @@
 uniform int columns;             // of cells
 uniform float cell_px;
 uniform vec2 half_size_px;       // of the picture
-uniform mat3 local_ray_from_px;  // as ray.glsl has them
-uniform vec2 view_px_per_px;
+uniform vec2 view_px_per_px;     // as ray.glsl has it
 
 out vec3 sky_light;
 

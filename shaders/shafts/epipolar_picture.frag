@@ -3,20 +3,6 @@
 // agree. ALONE: every other pixel (depth edges, and steps of the light along a line), computed by itself; the depth
 // test keeps it to those. BOTH_SLICES: from the slices on both of its sides, not the nearest. Two passes, since
 // software rasterisers run all code of a pass for all of its pixels.
-// variant: NO_DEPTH
-// variant: SKY_AT_CORNERS BOUNDED
-// variant: DIVIDED BOUNDED
-// variant: FALLOFF
-// variant: BOUNDED FALLOFF
-// variant: ALONE
-// variant: ALONE BOUNDED FALLOFF
-// variant: ALONE BOTH_SLICES
-// variant: ALONE LINE_MARCH
-// variant: ALONE CASCADE
-// variant: ALONE CASCADE BOTH_SLICES
-// variant: ALONE CASCADE LINE_MARCH BOUNDED FALLOFF
-// variant: ALONE LINE_MARCH BOUNDED
-// variant: ALONE LINE_MARCH SUN_DISC REAL_OCCLUDERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
 
 #include "shafts/ray.glsl"

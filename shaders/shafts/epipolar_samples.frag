@@ -1,15 +1,5 @@
 #version 310 es
 // Samples along the epipolar lines: each line a row, its places columns.
-// variant: NO_DEPTH
-// variant: BOUNDED
-// variant: FALLOFF
-// variant: BOUNDED FALLOFF
-// variant: LINE_MARCH
-// variant: CASCADE
-// variant: CASCADE BOUNDED FALLOFF
-// variant: CASCADE LINE_MARCH
-// variant: LINE_MARCH BOUNDED
-// variant: LINE_MARCH SUN_DISC REAL_OCCLUDERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
 
 #include "shafts/ray.glsl"

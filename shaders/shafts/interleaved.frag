@@ -2,11 +2,6 @@
 // Which part of the sunlight that the medium sends to the eye along each view ray gets past the occluders. Only where
 // the ray crosses the space that occluders can shadow is it marched; the weights are analytic, so that an unshadowed ray
 // comes out as exactly 1.
-// variant:
-// variant: NO_DEPTH
-// variant: BOUNDED
-// variant: FALLOFF
-// variant: BOUNDED FALLOFF
 precision highp float;
 
 #include "shafts/ray.glsl"
@@ -22,7 +17,7 @@ float march(Ray ray, MediumPath path, vec2 segment, float offset) {
   // Four steps at a time share the sun's way through the medium.
   int blocks = int(clamp(ceil((segment.y - segment.x) / (4.0 * least_step_m)), 1.0, float(steps / 4)));
   float dt = (segment.y - segment.x) / float(4 * blocks);
-  ivec2 size = textureSize(occluder_depth, 0);
+  ivec2 size = textureSize(occluder_depth, 0).xy;
   vec3 texels = vec3(size, 1.0);
   vec3 at = texels * (map_from_local * vec4(ray.direction * (segment.x + dt * offset), 1.0)).xyz;
   vec3 along = texels * (mat3(map_from_local) * ray.direction) * dt;

@@ -1,11 +1,5 @@
 #version 310 es
 // The lit part of the sunlight and the distance of each pixel of a small picture, marched.
-// variant: DIVIDED
-// variant: DIVIDED BOUNDED
-// variant: DIVIDED FALLOFF
-// variant: DIVIDED BOUNDED FALLOFF
-// variant: NO_DEPTH
-// variant: DIVIDED SUN_DISC VIRTUAL_OCCLUDERS REAL_OCCLUDERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
 
 #define LINE_MARCH

@@ -1,15 +1,5 @@
 #version 310 es
 // Brute force: each pixel's ray is marched by itself. The weights are analytic, so that an unshadowed ray is exact.
-// variant:
-// variant: NO_DEPTH
-// variant: BOUNDED
-// variant: FALLOFF SPACING=1
-// variant: SPACING=2
-// variant: CASCADE
-// variant: CASCADE BOUNDED FALLOFF
-// variant: BOUNDED FALLOFF
-// variant: SUN_DISC VIRTUAL_OCCLUDERS BLOCKER_TAPS=8 FILTER_TAPS=16
-// variant: BOUNDED SUN_DISC VIRTUAL_OCCLUDERS REAL_OCCLUDERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
 
 #include "shafts/ray.glsl"

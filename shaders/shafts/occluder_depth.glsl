@@ -1,5 +1,6 @@
 // The map of the first occluders that rays are marched against (render/shafts/occluder_map.h). Needs shafts/ray.glsl.
-uniform highp sampler2D occluder_depth;
+uniform highp sampler2DArray occluder_depth;
+uniform int occluder_layer;  // of it
 uniform mat4 map_from_local;  // (u, v, depth): u and v 0 to 1 inside
 uniform float end_margin_m;   // the map tells no surface from the medium this close to it
 uniform float end_margin;     // nor the epipolar lines, for each metre from the eye
@@ -40,17 +41,17 @@ float sunlight_when(float lit, MediumPath path, vec2 segment, vec2 marched, floa
 // `at` in texels across the map; a texel without an occluder holds 1 or more. Marched segments lie inside the map, but
 // rounding may step over its edge: a fetch beyond it is 0, which must not count as shade.
 float lit_at(vec3 at, ivec2 last) {
-  return texelFetch(occluder_depth, clamp(ivec2(at.xy), ivec2(0), last), 0).r < min(at.z, 1.0) ? 0.0 : 1.0;
+  return texelFetch(occluder_depth, ivec3(clamp(ivec2(at.xy), ivec2(0), last), occluder_layer), 0).r < min(at.z, 1.0) ? 0.0 : 1.0;
 }
 
 // The same of the four texels around `at` (u and v 0 to 1 across the map), each by how near it is: percentage-closer
 // filtering (Reeves et al. 1987).
 float filtered_lit_at(vec3 at) {
-  vec2 size = vec2(textureSize(occluder_depth, 0));
+  vec2 size = vec2(textureSize(occluder_depth, 0).xy);
   vec2 place = at.xy * size - 0.5;
   vec2 first = floor(place);
   vec2 part = place - first;
-  vec4 depth = textureGather(occluder_depth, (first + 1.0) / size, 0);  // of (0, 1), (1, 1), (1, 0), (0, 0)
+  vec4 depth = textureGather(occluder_depth, vec3((first + 1.0) / size, float(occluder_layer)), 0);  // of (0, 1), (1, 1), (1, 0), (0, 0)
   vec4 lit = vec4(greaterThanEqual(depth, vec4(min(at.z, 1.0))));
   return mix(mix(lit.w, lit.z, part.x), mix(lit.x, lit.y, part.x), part.y);
 }

@@ -7,29 +7,30 @@
 precision highp float;
 
 uniform vec2 texel;  // 1 / this map's size
-uniform highp sampler2D virtual_depth;
-uniform highp sampler2D real_depth;
-// Coordinates of the shadow maps are scale * this map's + low: all look along the same axes.
-uniform vec3 virtual_scale;
-uniform vec3 virtual_low;
-uniform vec3 real_scale;
-uniform vec3 real_low;
+uniform highp sampler2DArray shadow_depth;
+// Of each kind of occluders: coordinates of its shadow map are scale * this map's + low, since all look along the same
+// axes.
+uniform vec3 scales[2];
+uniform vec3 lows[2];
+uniform ivec2 layers;
 
 layout(location = 0) out float depth;
 
-float depth_here(highp sampler2D map, vec3 scale, vec3 low) {
+float depth_here(int kind) {
+  vec3 scale = scales[kind];
+  vec3 low = lows[kind];
   vec2 at = gl_FragCoord.xy * texel * scale.xy + low.xy;
   if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(1.0)))) return 1e9;
-  float found = texelFetch(map, ivec2(at * vec2(textureSize(map, 0))), 0).r;
+  float found = texelFetch(shadow_depth, ivec3(at * vec2(textureSize(shadow_depth, 0).xy), layers[kind]), 0).r;
   return found < 1.0 ? (found - low.z) / scale.z : 1e9;  // an empty texel holds 1
 }
 
 void main() {
   depth = 1e9;
 #ifdef VIRTUAL_OCCLUDERS
-  depth = min(depth, depth_here(virtual_depth, virtual_scale, virtual_low));
+  depth = min(depth, depth_here(0));
 #endif
 #ifdef REAL_OCCLUDERS
-  depth = min(depth, depth_here(real_depth, real_scale, real_low));
+  depth = min(depth, depth_here(1));
 #endif
 }

@@ -5,21 +5,9 @@
 #define OUT(type) out type
 #endif
 #include "lib/medium.glsl"
+#include "shafts/medium_block.glsl"
 
-uniform mat3 local_ray_from_px;  // render/scene/view.h
-uniform vec2 view_px_per_px;     // pixels of the ideal picture in one of this
-uniform float near_m;            // View::kNearM
-uniform float extinction;        // 1/m; with FALLOFF, at the eye
-#ifdef BOUNDED
-uniform vec3 box_low_in_local;
-uniform vec3 box_high_in_local;
-uniform vec3 sun_direction_in_local;
-#endif
-#ifdef FALLOFF
-uniform float log_extinction;  // of the extinction at the eye
-uniform float scale_height_m;
-#endif
-
+uniform vec2 view_px_per_px;  // pixels of the ideal picture in one of this
 #ifdef CASCADE
 uniform vec2 cascade_m;  // the range, along the camera's axis
 #endif
@@ -66,7 +54,7 @@ MediumPath medium_along(Ray ray, float entry) {
   MediumPath path;
   path.entry = entry;
 #ifdef BOUNDED
-  sun_path_lines(vec3(0.0), ray.direction, box_low_in_local, box_high_in_local, sun_direction_in_local, path.line_a,
+  sun_path_lines(vec3(0.0), ray.direction, box_low_in_local, box_high_in_local, sun_direction, path.line_a,
                  path.line_b);
 #endif
 #ifdef FALLOFF
@@ -91,7 +79,7 @@ float sun_depth_to(MediumPath path, float t) {
   float way = sun_path(path.line_a, path.line_b, t);
 #ifdef FALLOFF
   float height = path.rise * t;
-  return falloff_depth(log_extinction, height, height + way * sun_direction_in_local.z / scale_height_m, way);
+  return falloff_depth(log_extinction, height, height + way * sun_direction.z / scale_height_m, way);
 #else
   return extinction * way;
 #endif

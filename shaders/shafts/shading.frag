@@ -1,12 +1,5 @@
 #version 310 es
 // The light of each pixel: with nothing that shadows it, or (LIT) with the part of the sun's light given.
-// variant: NO_DEPTH
-// variant: SKY_AT_CORNERS BOUNDED
-// variant: BOUNDED
-// variant: FALLOFF
-// variant: LIT
-// variant: LIT BOUNDED
-// variant: LIT BOUNDED FALLOFF
 precision highp float;
 
 #include "shafts/ray.glsl"

@@ -2,11 +2,6 @@
 // that a technique found to get past the occluders. Every technique ends here. SKY_AT_CORNERS: the sky's light, which
 // varies slowly, is interpolated between the corners of cells. Needs shafts/ray.glsl.
 
-uniform vec3 sun_direction;       // local frame
-uniform vec3 sun_scattered;       // illuminance * albedo * gain of the shafts, pre-exposed
-uniform int phase_kind;
-uniform float phase_g;
-
 // Scattered from all of the sky to the eye by endless medium.
 #ifdef SKY_AT_CORNERS
 in vec3 sky_light;  // cells.vert

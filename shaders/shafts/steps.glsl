@@ -2,7 +2,7 @@
 // shafts/occluder_depth.glsl. SUN_DISC: the sun is a disc, and what stands before part of it takes that part of its light
 // (percentage-closer, wider with the way from the occluder); else a point.
 #ifdef SUN_DISC
-#include "shadow/sun_map.glsl"
+#include "shadow/shadow_maps.glsl"
 #endif
 #ifndef SPACING
 #define SPACING 0
@@ -48,8 +48,7 @@ vec2 march(Ray ray, MediumPath path, vec2 segment, float reach) {
     all += part;
 #ifdef SUN_DISC
     vec3 at = ray.direction * (0.5 * (from + to));
-    // As on surfaces: virtual and real things stand before the disc independently of one another.
-    seen = virtual_visibility_in_medium(at) * real_visibility_in_medium(at);
+    seen = visibility_in_medium(kVirtual, at) * visibility_in_medium(kReal, at);
 #else
     seen = filtered_lit_at(origin + along * (0.5 * (from + to)));
 #endif

@@ -1,12 +1,6 @@
 #version 310 es
 // Tints a technique's picture where the light comes through glass: takes away what the panes hold up of the light that
 // gets past all other occluders, marched in steps through the prism that the glass's light fills and nowhere else.
-// variant:
-// variant: NO_DEPTH
-// variant: OCCLUDERS
-// variant: DIVIDED BOUNDED OCCLUDERS
-// variant: FALLOFF OCCLUDERS
-// variant: BOUNDED FALLOFF OCCLUDERS
 precision highp float;
 
 #include "shafts/ray.glsl"
@@ -26,7 +20,7 @@ float seen_past_occluders(Ray ray, float t) {
 #ifdef OCCLUDERS
   vec3 at = map_from_local[3].xyz + mat3(map_from_local) * ray.direction * t;
   if (any(lessThan(at.xy, vec2(0.0))) || any(greaterThanEqual(at.xy, vec2(1.0)))) return 1.0;
-  return textureLod(occluder_depth, at.xy, 0.0).r < min(at.z, 1.0) ? 0.0 : 1.0;
+  return textureLod(occluder_depth, vec3(at.xy, float(occluder_layer)), 0.0).r < min(at.z, 1.0) ? 0.0 : 1.0;
 #else
   return 1.0;
 #endif

@@ -1,14 +1,9 @@
 #version 310 es
 // What virtual things take away from the light on a real surface (the contract's M).
 // SOUGHT: leaves nothing, and only where virtual things may take anything away from what is seen of the surface.
-// variant: VIRTUAL_OCCLUDERS BLOCKER_TAPS=8 FILTER_TAPS=16
-// variant: VIRTUAL_OCCLUDERS BLOCKER_TAPS=8 FILTER_TAPS=16 SOUGHT
-// variant: VIRTUAL_OCCLUDERS TRANSLUCENT BLOCKER_TAPS=8 FILTER_TAPS=16 SOUGHT
-// variant: VIRTUAL_OCCLUDERS TRANSLUCENT BLOCKER_TAPS=8 FILTER_TAPS=16
-// variant: VIRTUAL_OCCLUDERS REAL_OCCLUDERS BLOCKER_TAPS=8 FILTER_TAPS=16
 precision highp float;
 
-#include "shadow/sun_map.glsl"
+#include "shadow/shadow_maps.glsl"
 #include "surface/sh9.glsl"
 #ifdef TRANSLUCENT
 #include "shadow/translucent.glsl"
@@ -25,12 +20,12 @@ layout(location = 0) out vec4 multiplier;
 
 vec3 light_left(vec3 normal) {
   float n_s = max(dot(normal, sun_direction_in_local), 0.0);
-  vec3 seen = vec3(virtual_visibility(v_position, normal));
+  vec3 seen = vec3(visibility_at_surface(kVirtual, v_position, normal));
 #ifdef TRANSLUCENT
   seen *= light_through_translucent(v_position);
 #endif
   if (all(greaterThanEqual(seen, vec3(1.0))) || n_s <= 0.0) return vec3(1.0);
-  vec3 sun = sun_illuminance * (n_s * real_visibility(v_position, normal));
+  vec3 sun = sun_illuminance * (n_s * visibility_at_surface(kReal, v_position, normal));
   if (dot(sun, vec3(1.0)) <= 0.0) return vec3(1.0);
   vec3 sky = max(sh9(sky_irradiance_sh, normal), vec3(0.0));
   return (sun * seen + sky) / max(sun + sky, vec3(1e-20));
@@ -41,7 +36,7 @@ void main() {
   if (dot(normal, v_position) > 0.0) normal = -normal;  // the side that is seen
 #ifdef SOUGHT
   bool seen = texelFetch(added, ivec2(gl_FragCoord.xy), 0).a > 0.0;
-  bool less = may_be_shadowed_by_virtual(v_position, normal);
+  bool less = may_be_shadowed(kVirtual, v_position, normal);
 #ifdef TRANSLUCENT
   less = less || light_through_translucent(v_position) != vec3(1.0);
 #endif

@@ -1,7 +1,7 @@
 // Light that a virtual surface sends to the eye: sun (GGX + Lambert), sky (spherical harmonics for
 // the dull part, a prefiltered cube for the mirrored one), emission. glTF 2.0's
 // metallic-roughness material, appendix B.
-#include "shadow/sun_map.glsl"
+#include "shadow/shadow_maps.glsl"
 #ifdef TRANSLUCENT
 #include "shadow/translucent.glsl"
 #endif
@@ -101,7 +101,8 @@ vec4 shade() {
 #endif
   vec3 sun = vec3(0.0);
   if (front + back > 0.0) {
-    sun = sun_illuminance * (virtual_visibility(v_position, sunny_facet) * real_visibility(v_position, sunny_facet));
+    sun = sun_illuminance * (visibility_at_surface(kVirtual, v_position, sunny_facet) *
+                             visibility_at_surface(kReal, v_position, sunny_facet));
 #ifdef TRANSLUCENT
     sun *= light_through_translucent(v_position);
 #endif

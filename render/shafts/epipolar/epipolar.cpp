@@ -6,8 +6,6 @@
 namespace render {
 namespace {
 
-constexpr int kSamplesUnit = 1;
-constexpr int kTreesUnit = 2;  // and two more
 constexpr float kDepthTolerance = 0.02F;
 constexpr double kCloseLinesPx = 1.0;
 
@@ -39,11 +37,11 @@ Epipolar::Epipolar(const LineSettings& settings, const MarchSteps& steps)
 void Epipolar::bind(const gl::Program& program, const CascadeOccluders& occluders, const ShaftInputs& inputs,
                     const LineLayout& layout, double beside_px) const {
   layout.set(program);
-  occluders.map.bind(program, inputs, kMapUnit);
+  occluders.map.bind(program, inputs);
   if (steps_) {
     steps_->set(program);
   } else {
-    occluders.trees.bind(program, kTreesUnit);
+    occluders.trees.bind(program);
     const double px_rad = inputs.view.width / (inputs.view.focal_px.x * layout.picture_px.x);
     program.set("end_margin", static_cast<float>(std::min(2.0 * beside_px * px_rad, 0.5)));
   }
@@ -83,10 +81,9 @@ void Epipolar::draw_pairs(const LineLayout& layout) {
   glClearBufferfv(GL_COLOR, 0, tells_nothing.data());
   pair_.use();
   layout.set(pair_);
-  pair_.set("samples", kSamplesUnit);
+  pair_.bind("samples", samples_.handle());
   pair_.set("samples_texel", 1.0F / glm::vec2(samples_.width(), samples_.height()));
   pair_.set("tolerance", static_cast<float>(settings_.tolerance));
-  samples_.bind(kSamplesUnit);
   draw_samples_at(pair_, to_pairs_, 1, layout.rows);
 }
 
@@ -95,9 +92,8 @@ void Epipolar::draw_between(const ShaftInputs& inputs, const LineLayout& layout)
   const gl::Program& between = between_.use(inputs, layout.picture_px);
   layout.set(between);
   between.set("depth_tolerance", kDepthTolerance);
-  between.set("pairs", kSamplesUnit);
+  between.bind("pairs", pairs_.handle());
   between.set("pairs_texel", 1.0F / glm::vec2(pairs_.width(), pairs_.height()));
-  pairs_.bind(kSamplesUnit);
   glDepthFunc(GL_ALWAYS);
   glDepthRangef(0.0F, 0.0F);
   between_.draw();
@@ -131,8 +127,6 @@ const ShaftPicture& Epipolar::draw(const ShaftInputs& inputs) {
   glEnable(GL_DEPTH_TEST);
   draw_between(inputs, layout);
   draw_alone(inputs, parts, layout);
-  OccluderMap::unbind(kMapUnit);
-  alone_.release();
   return target_.picture();
 }
 

@@ -75,35 +75,31 @@ void SliceTrees::lay_slices(const ShaftInputs& inputs, const OccluderMap& occlud
 // Of the slices' cells alone, 16 to a block.
 void SliceTrees::draw_cells(const gl::Framebuffer& target, const gl::Program& program, int pixels_a_block) const {
   target.bind();
-  program.set("slices", 0);
+  program.bind("slices", slices_.handle());
   program.set("rows", rows_);
   program.set("pixels_a_block", static_cast<float>(pixels_a_block));
   program.set("half_size_px", 0.5F * glm::vec2(target.width(), target.height()));
-  slices_.bind(0);
   draw_row_groups(no_vertices_, rows_);
 }
 
-void SliceTrees::draw_leaves(const ShaftInputs& inputs, const OccluderMap& occluders) {
+void SliceTrees::draw_leaves(const OccluderMap& occluders) {
   leaves_program_.use();
-  occluders.bind(leaves_program_, inputs, kMapUnit);
+  occluders.bind_depth(leaves_program_);
   leaves_program_.set("occluder_texel", 1.0F / glm::vec2(occluders.size_px()));
   leaves_program_.set("eye_in_texels", glm::vec2(texels_from_local_[3]));
   leaves_program_.set("slices_texel", 1.0F / static_cast<float>(slices_.height()));
   draw_cells(to_leaves_, leaves_program_, 4);
-  OccluderMap::unbind(kMapUnit);
 }
 
 void SliceTrees::draw_levels() {
   blocks_program_.use();
-  blocks_program_.set("leaves", 1);
+  blocks_program_.bind("leaves", leaves_.handle());
   blocks_program_.set("leaves_texel", 1.0F / glm::vec2(leaves_.width(), leaves_.height()));
-  leaves_.bind(1);
   draw_cells(to_blocks_, blocks_program_, 1);
   levels_program_.use();
-  levels_program_.set("slices", 0);
-  levels_program_.set("blocks", 1);
+  levels_program_.bind("slices", slices_.handle());
+  levels_program_.bind("blocks", blocks_.handle());
   levels_program_.set("level_first", level_first_);
-  blocks_.bind(1);
   to_levels_.bind();
   confine_to({level_first_.y, 0, to_levels_.width() - level_first_.y, rows_});
   gl::draw_full_screen(no_vertices_);
@@ -115,18 +111,15 @@ void SliceTrees::update(const ShaftInputs& inputs, const OccluderMap& occluders,
   // Inside a box the light's own way has kinks, which long levels would straddle.
   top_level_ = inputs.scene.medium->extent ? 1 : 3;
   lay_slices(inputs, occluders, layout);
-  draw_leaves(inputs, occluders);
+  draw_leaves(occluders);
   draw_levels();
   glDisable(GL_SCISSOR_TEST);
 }
 
-void SliceTrees::bind(const gl::Program& program, int first_unit) const {
-  program.set("slices", first_unit);
-  program.set("leaves", first_unit + 1);
-  program.set("levels", first_unit + 2);
-  slices_.bind(first_unit);
-  leaves_.bind(first_unit + 1);
-  levels_.bind(first_unit + 2);
+void SliceTrees::bind(const gl::Program& program) const {
+  program.bind("slices", slices_.handle());
+  program.bind("leaves", leaves_.handle());
+  program.bind("levels", levels_.handle());
   program.set("level_first", level_first_);
   program.set("top_level", top_level_);
   program.set("leaves_texel", 1.0F / glm::vec2(leaves_.width(), leaves_.height()));

@@ -17,7 +17,7 @@ class SliceTrees {
   void update(const ShaftInputs& inputs, const OccluderMap& occluders, const LineLayout& layout);
 
   // To three texture units from that one on, with all that shaders/shafts/minmax_traverse.glsl needs.
-  void bind(const gl::Program& program, int first_unit) const;
+  void bind(const gl::Program& program) const;
 
  private:
   void make_storage(const OccluderMap& occluders, int rows);
@@ -25,7 +25,7 @@ class SliceTrees {
   // part +-1, where the first cell begins along it, in texels from the eye, and how many cells there are. A cell is one
   // texel of the axis that the slice is nearer to.
   void lay_slices(const ShaftInputs& inputs, const OccluderMap& occluders, const LineLayout& layout);
-  void draw_leaves(const ShaftInputs& inputs, const OccluderMap& occluders);
+  void draw_leaves(const OccluderMap& occluders);
   void draw_levels();
   void draw_cells(const gl::Framebuffer& target, const gl::Program& program, int pixels_a_block) const;
 

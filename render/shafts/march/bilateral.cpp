@@ -12,10 +12,8 @@ void Bilateral::draw_small(const ShaftInputs& inputs, const glm::ivec2& small_px
   to_small_.bind();
   const gl::Program& march = march_.use(inputs, small_px);
   steps_.set(march);
-  occluders_.bind(march, inputs, kMapUnit);
+  occluders_.bind(march, inputs);
   gl::draw_full_screen(no_vertices_);
-  OccluderMap::unbind(kMapUnit);
-  march_.release();
 }
 
 const ShaftPicture& Bilateral::draw(const ShaftInputs& inputs) {
@@ -26,10 +24,9 @@ const ShaftPicture& Bilateral::draw(const ShaftInputs& inputs) {
   draw_small(inputs, small_px);
   target_.begin(inputs, size_px);
   const gl::Program& upscale = upscale_.use(inputs, size_px);
-  upscale.set("small", 1);
+  upscale.bind("small", small_.handle());
   upscale.set("small_px_per_px", glm::vec2(small_px) / glm::vec2(size_px));
   upscale.set("radius", radius_px_);
-  small_.bind(1);
   upscale_.draw();
   glDisable(GL_SCISSOR_TEST);
   return target_.picture();

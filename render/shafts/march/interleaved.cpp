@@ -24,8 +24,7 @@ void Interleaved::make_targets(const glm::ivec2& size_px) {
 void Interleaved::average_rows() {
   lit_target_[1].bind();
   blur_.use();
-  blur_.set("lit_and_distance", 0);
-  lit_[0].bind(0);
+  blur_.bind("lit_and_distance", lit_[0].handle());
   gl::draw_full_screen(no_vertices_);
 }
 
@@ -40,13 +39,11 @@ const ShaftPicture& Interleaved::draw(const ShaftInputs& inputs) {
   const gl::Program& march = march_.use(inputs, size_px);
   march.set("steps", steps_);
   march.set("least_step_m", least_step_m(*inputs.scene.medium, steps_));
-  occluders_.bind(march, inputs, kMapUnit);
+  occluders_.bind(march, inputs);
   gl::draw_full_screen(no_vertices_);
-  OccluderMap::unbind(kMapUnit);
   average_rows();
   target_.begin(inputs, size_px);
-  shading_.use(inputs, size_px).set("lit_and_distance", 1);
-  lit_[1].bind(1);
+  shading_.use(inputs, size_px).bind("lit_and_distance", lit_[1].handle());
   shading_.draw();
   glDisable(GL_SCISSOR_TEST);
   return target_.picture();

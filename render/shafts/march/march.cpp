@@ -27,11 +27,9 @@ const ShaftPicture& March::draw(const ShaftInputs& inputs) {
     add_up(i);
     const gl::Program& march = march_.use(inputs, size_px, parts[i].range);
     steps_.set(march);
-    occluders_[i].bind(march, inputs, kMapUnit);
+    occluders_[i].bind(march, inputs);
     march_.draw();
   }
-  OccluderMap::unbind(kMapUnit);
-  march_.release();
   plain_state();
   return target_.picture();
 }
