@@ -68,7 +68,10 @@ class HarmonicSky : public SkyModel {
 }  // namespace
 
 ShaftReference::ShaftReference(const SceneState& scene, const ReferenceSettings& settings)
-    : scene_(scene), settings_(settings), reference_medium_{*scene.medium, settings.density}, occluders_(scene.instances) {
+    : scene_(scene),
+      settings_(settings),
+      reference_medium_{*scene.medium, settings.density},
+      occluders_(scene.instances) {
   scene_.sun.direction_in_world = glm::normalize(scene_.sun.direction_in_world);
   scene_.sun.illuminance_rgb *= scene.medium->shaft_gain;
   if (settings_.sky != ReferenceSky::Traced) return;
