@@ -61,9 +61,24 @@ TEST(Architecture, NoForbiddenInclude) {
 }
 
 TEST(Architecture, RootHoldsOnlyWhatTheDesignNames) {
-  const std::vector<std::string> allowed{
-      "CMakeLists.txt", "CMakePresets.json", "dev",   "README.md", "LICENSE", "CHANGELOG.md", "app",   "ar",
-      "render",         "shaders",           "calib", "tests",     "data",    "docs",         "build", "demo"};
+  const std::vector<std::string> allowed{"CMakeLists.txt",
+                                         "CMakePresets.json",
+                                         "dev",
+                                         "README.md",
+                                         "LICENSE",
+                                         "CHANGELOG.md",
+                                         "CONTRIBUTING.md",
+                                         "findings",
+                                         "app",
+                                         "ar",
+                                         "render",
+                                         "shaders",
+                                         "calib",
+                                         "tests",
+                                         "data",
+                                         "docs",
+                                         "build",
+                                         "demo"};
   for (const auto& entry : fs::directory_iterator(SKYSHAFT_SOURCE_DIR)) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with('.')) continue;
