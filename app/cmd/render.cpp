@@ -18,6 +18,7 @@
 #include "app/process/output_files.h"
 #include "app/process/still.h"
 #include "ar/error.h"
+#include "render/plan/features/features.h"
 #include "render/plan/renderer.h"
 
 namespace app {
@@ -117,7 +118,7 @@ int run(const RenderArguments& arguments) {
   }
   render::gl::Context context(arguments.egl_device);
   render::Renderer renderer(context);
-  const render::Plan plan = render::make_plan(still.state, still.scene.quality);
+  const render::Plan plan = render::make_plan(still.state, still.scene.quality, render::Target::Still);
   nlohmann::ordered_json report = nlohmann::ordered_json::object();
   if (!arguments.output.empty()) write_still(renderer, still.state, plan, arguments.output);
   if (arguments.frames > 0) {
@@ -127,7 +128,7 @@ int run(const RenderArguments& arguments) {
   }
   if (!arguments.json) return kDone;
   report["size"] = arguments.still.size;
-  if (plan.has(render::PassKind::Shafts)) report["shafts"] = render::to_text(plan.shafts);
+  if (plan.has(render::feature::kShafts)) report["shafts"] = render::to_text(plan.quality.shafts);
   if (const auto error = renderer.shafts_error()) {
     report["shafts_error"] = {{"mean_relative", error->mean}, {"largest_relative", error->largest}};
   }
