@@ -6,6 +6,7 @@
 
 #include "app/options/words.h"
 #include "app/scene_file/sections.h"
+#include "ar/photometry/exposure.h"
 #include "render/base/angles.h"
 
 namespace app {
@@ -160,8 +161,8 @@ SceneSun read_sun(const YamlValue& value) {
 double read_exposure(const YamlValue& value) {
   const YamlMap map = value.map({"ev100", "white_luminance"});
   if (map.exactly_one_of({"ev100", "white_luminance"}) == "ev100") {
-    return exposure_from_ev100(map.find("ev100")->number("exposure value at ISO 100, -20 to 30",
-                                                         [](double x) { return x >= -20.0 && x <= 30.0; }));
+    return ar::exposure_from_ev100(map.find("ev100")->number("exposure value at ISO 100, -20 to 30",
+                                                             [](double x) { return x >= -20.0 && x <= 30.0; }));
   }
   return 1.0 / read_positive(*map.find("white_luminance"), "cd/m2");
 }

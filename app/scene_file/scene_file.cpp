@@ -69,8 +69,4 @@ SceneFile load_scene_file(const std::filesystem::path& path) {
   return scene;
 }
 
-double exposure_from_ev100(double ev100) {
-  return 1.0 / (1.2 * std::exp2(ev100));
-}
-
 }  // namespace app
