@@ -13,11 +13,11 @@
 #include "app/cmd/commands.h"
 #include "app/error.h"
 #include "app/exit_status.h"
-#include "app/median.h"
 #include "app/options/gl_device.h"
 #include "app/process/output_files.h"
 #include "app/process/still.h"
 #include "ar/error.h"
+#include "render/base/median.h"
 #include "render/plan/features/features.h"
 #include "render/plan/renderer.h"
 
@@ -79,8 +79,8 @@ Timing time_frames(render::Renderer& renderer, const render::SceneState& state, 
     }
   }
   renderer.enable_timing(false);
-  Timing timing{.frame_median_ms = median(frame_ms), .pass_median_ms = {}};
-  for (const std::string& name : order) timing.pass_median_ms.emplace_back(name, median(pass_ms[name]));
+  Timing timing{.frame_median_ms = render::median(frame_ms, 0.0), .pass_median_ms = {}};
+  for (const std::string& name : order) timing.pass_median_ms.emplace_back(name, render::median(pass_ms[name], 0.0));
   return timing;
 }
 

@@ -113,7 +113,7 @@ KeyTable<SceneSun> make_sun_keys() {
 }
 
 void read_ev100(const YamlValue& value, double& exposure) {
-  exposure = exposure_from_ev100(read_number(value, exposure_keys().shape().key("ev100").value));
+  exposure = ar::exposure_from_ev100(read_number(value, exposure_keys().shape().key("ev100").value));
 }
 
 void read_white_luminance(const YamlValue& value, double& exposure) {

@@ -17,10 +17,6 @@ SceneFile load_scene_file(const std::filesystem::path& path) {
   return scene;
 }
 
-double exposure_from_ev100(double ev100) {
-  return 1.0 / (1.2 * std::exp2(ev100));
-}
-
 double read_exposure(const YamlValue& value) {
   double exposure = 0.0;
   exposure_keys().read(value, exposure);

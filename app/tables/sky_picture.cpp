@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/error.h"
+#include "render/base/median.h"
 #include "render/sky/hemisphere.h"
 #include "render/sky/sky_cube.h"
 #include "render/sky/sky_image.h"
@@ -60,8 +61,7 @@ double median_luminance(const render::LinearImage& picture) {
     if (level > 0.0) levels.push_back(level);
   }
   if (levels.empty()) return 1.0;
-  std::nth_element(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2), levels.end());
-  return levels[levels.size() / 2];
+  return render::upper_median(std::move(levels));
 }
 
 // Four samples a pixel, so that the edges of clouds do not step.

@@ -8,8 +8,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
 
-#include "app/median.h"
 #include "app/report/thumbnail.h"
+#include "render/base/median.h"
 #include "render/plan/features/features.h"
 #include "render/shafts/shaft_settings.h"
 
@@ -96,9 +96,9 @@ class Measure {
       }
     }
     renderer_.enable_timing(false);
-    row.frame_ms = median(frame_ms);
-    row.shafts_wall_ms = median(wall_ms);
-    row.shafts_ms = median(gpu_ms) > 0.0 ? median(gpu_ms) : row.shafts_wall_ms;
+    row.frame_ms = render::median(frame_ms, 0.0);
+    row.shafts_wall_ms = render::median(wall_ms, 0.0);
+    row.shafts_ms = render::median(gpu_ms, 0.0) > 0.0 ? render::median(gpu_ms, 0.0) : row.shafts_wall_ms;
   }
 
  private:

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "app/calibration/report_plots.h"
 #include "app/calibration/summary.h"
-#include "app/report/calibration_plots.h"
 #include "app/report/log_plot.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "ar/capture/v4l2/camera_format.h"
+#include "ar/capture/live/camera_format.h"
 
 #include <linux/videodev2.h>
 

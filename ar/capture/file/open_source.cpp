@@ -1,4 +1,4 @@
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 
 #include "ar/capture/file/image_list.h"
 #include "ar/capture/file/video_file.h"

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "app/median.h"
+#include "render/base/median.h"
 
 namespace app {
 
@@ -25,7 +25,7 @@ class Reservoir {
   }
 
   // Of the sample; exact up to kKept values. 0 of none.
-  double median() const { return app::median(kept_); }
+  double median() const { return render::median(kept_, 0.0); }
 
  private:
   std::vector<double> kept_;

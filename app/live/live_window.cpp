@@ -1,11 +1,11 @@
-#include "app/window/window.h"
+#include "app/live/live_window.h"
 
 #define GLFW_INCLUDE_NONE  // OpenGL ES comes from elsewhere
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include "app/live/live_panel.h"
 #include "app/window/desktop_window.h"
-#include "app/window/window_panel.h"
 
 namespace app {
 namespace {

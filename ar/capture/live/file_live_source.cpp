@@ -1,11 +1,11 @@
-#include "ar/capture/file/file_live_source.h"
+#include "ar/capture/live/file_live_source.h"
 
 #include <condition_variable>
 #include <deque>
 #include <mutex>
 #include <thread>
 
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 #include "ar/error.h"
 
 namespace ar {

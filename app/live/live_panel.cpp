@@ -1,4 +1,4 @@
-#include "app/window/window_panel.h"
+#include "app/live/live_panel.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/ffmpeg.h"
 
 struct v4l2_pix_format;
 

@@ -1,4 +1,4 @@
-#include "ar/capture/live/camera_list.h"
+#include "ar/capture/devices/camera_list.h"
 
 #include "ar/capture/v4l2/device.h"
 #include "ar/error.h"

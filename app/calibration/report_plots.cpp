@@ -1,4 +1,4 @@
-#include "app/report/calibration_plots.h"
+#include "app/calibration/report_plots.h"
 
 #include <fmt/format.h>
 

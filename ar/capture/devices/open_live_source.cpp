@@ -1,8 +1,8 @@
-#include "ar/capture/live/live_source.h"
+#include "ar/capture/devices/open_live_source.h"
 
 #include <fmt/format.h>
 
-#include "ar/capture/file/file_live_source.h"
+#include "ar/capture/live/file_live_source.h"
 #include "ar/capture/v4l2/source.h"
 #include "ar/error.h"
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "app/window/window.h"
+#include "app/live/live_window.h"
 
 namespace app {
 

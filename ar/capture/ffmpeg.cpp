@@ -1,4 +1,4 @@
-#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/ffmpeg.h"
 
 #include <spdlog/spdlog.h>
 
