@@ -51,7 +51,7 @@ struct SceneInstance {
   bool real = false;
 };
 
-// A scene file, checked (DESIGN.md section 7). What is absent in the file is absent here.
+// A scene file, checked (docs/scene-file.md). What is absent in the file is absent here.
 struct SceneFile {
   std::filesystem::path path;
   std::optional<ar::GeoPosition> place;

@@ -54,7 +54,7 @@ Trade measure_trade(render::Renderer& renderer, const render::SceneState& state,
 // Marks the rows that no other beats in both relative RMSE and time of the shaft pass.
 void mark_pareto(std::vector<TradeRow>& rows);
 
-// "lossless", "good" or "" (DESIGN.md section 6).
+// "lossless", "good" or "" (docs/trade.md, "The measures").
 std::string grade(const TradeRow& row);
 
 // A header and a line a row.

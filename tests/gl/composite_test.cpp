@@ -206,7 +206,7 @@ TEST_F(CompositePassTest, DecodingAndEncodingReturnsEveryFormatsCodes) {
     Planes in(format);
     fill_with_displayable_codes(in);
     const Planes out = lay_over(in, glm::vec3(1.0F), glm::vec3(6e-8F));
-    // One step for the dither where a value falls between two; the contract is 2/255.
+    // One step for the dither where a value falls between two.
     EXPECT_LE(largest_difference(out, in), 1) << name_of(format);
   }
 }

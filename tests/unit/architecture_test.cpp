@@ -1,4 +1,4 @@
-// The house as DESIGN.md section 1 has it, checked on the sources themselves: who may include whom.
+// The house as docs/architecture.md has it, checked on the sources themselves: who may include whom.
 
 #include <gtest/gtest.h>
 

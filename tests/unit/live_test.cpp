@@ -255,7 +255,7 @@ TEST(Recorder, KeepsTimesAndPutsAHeldPictureAMillisecondBehindTheLast) {
   std::filesystem::remove(file);
 }
 
-TEST(HeldMark, StripesTheEdgesAndLeavesTheMiddle) {
+TEST(HeldMark, StripesAllEdgesAndLeavesTheMiddle) {
   constexpr int kWidth = 160;
   constexpr int kHeight = 90;
   std::vector<std::uint8_t> luma(kWidth * kHeight, 100);
