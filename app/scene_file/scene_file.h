@@ -70,8 +70,4 @@ struct SceneFile {
 // would be accepted.
 SceneFile load_scene_file(const std::filesystem::path& path);
 
-// Exposure of a camera set to that EV at ISO 100: 1.0 is what saturates, 1.2 * 2^EV cd/m2 (ISO 12232:2019, saturation
-// based speed, 78 / (0.65 * 100) = 1.2).
-double exposure_from_ev100(double ev100);
-
 }  // namespace app

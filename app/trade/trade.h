@@ -43,10 +43,10 @@ struct Trade {
 struct TradeOptions {
   std::string truth = "reference:sky=open";
   int frames = 7;                     // timed, for each setting
-  std::vector<std::string> settings;  // instead of every technique's ladder, where not empty
+  std::vector<std::string> settings;  // instead of every technique's presets, where not empty
 };
 
-// Measures a scene seen from its own view. `told` hears what is being done, a line at a time. Throws
+// Measures a scene seen from its own view. `notify` gets what is being done, a line at a time. Throws
 // std::runtime_error where the scene has no medium to measure.
 Trade measure_trade(render::Renderer& renderer, const render::SceneState& state, const render::Quality& quality,
                     const TradeOptions& options, const std::function<void(const std::string&)>& notify);

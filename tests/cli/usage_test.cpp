@@ -125,7 +125,7 @@ TEST(Explain, SaysWhichPassesAndWhyNotTheOthers) {
   EXPECT_THAT(result.out, HasSubstr("shafts"));
   EXPECT_THAT(result.out, HasSubstr("closed-form"));
   EXPECT_THAT(result.out, HasSubstr("left out\n"));
-  EXPECT_THAT(result.out, HasSubstr("shadow     because nothing in the scene casts"));
+  EXPECT_THAT(result.out, HasSubstr("shadow       because nothing in the scene casts"));
 }
 
 TEST(Explain, TheProjectsScenesAllNeedPlansOfTheirOwn) {
