@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "render/shafts/shaft_settings.h"
+#include "render/sky/clouds.h"
+#include "render/sky/sky_models.h"
 
 namespace app {
 namespace {
@@ -63,12 +65,23 @@ bool draw_time(ar::UtcTime& first_frame, double elapsed_s) {
   return true;
 }
 
+// What can follow a slider: families of many skies below the single ones.
+std::vector<std::string> quick_sky_models() {
+  std::vector<std::string> single;
+  std::vector<std::string> families;
+  for (const render::SkyModelInfo& model : render::sky_models()) {
+    if (!model.quick) continue;
+    std::vector<std::string>& list = model.words.size() == 1 ? single : families;
+    list.insert(list.end(), model.words.begin(), model.words.end());
+  }
+  single.insert(single.end(), families.begin(), families.end());
+  return single;
+}
+
 bool draw_sky(render::SkyOptions& sky) {
-  std::vector<std::string> models{"perez", "preetham", "preetham:rescaled", "scattering", "none"};
-  for (int i = 1; i <= 15; ++i) models.push_back(fmt::format("cie:{}", i));
-  bool changed = choose("sky", sky.model, models);
+  bool changed = choose("sky", sky.model, quick_sky_models());
   changed |= slide("turbidity", sky.turbidity, 1.7, 12.0, "%.1f");
-  changed |= choose("clouds", sky.clouds.preset, {"clear", "light", "cloudy", "overcast", "night"});
+  changed |= choose("clouds", sky.clouds.preset, render::cloud_preset_names());
   return changed;
 }
 

@@ -100,22 +100,23 @@ void SceneStateBuilder::light(std::int64_t second) {
   if (second_ == second) return;
   second_ = second;
   const render::SunPosition sun = sun_at(second);
-  state_.sun.direction_in_world = sun.apparent_direction_in_world();
+  render::Sun& light = ensure_sun(state_);
+  light.direction_in_world = sun.apparent_direction_in_world();
   const render::SkyOptions options = sky_options(second);
   const render::SunLight natural = render::sun_light(sun, options.turbidity, options.height_m);
-  state_.sun.illuminance_rgb = sun_illuminance_rgb(sun_, natural.illuminance_rgb);
-  state_.sun.angular_radius_rad = sun_.angular_radius_rad.value_or(natural.shadow_radius_rad);
+  light.illuminance_rgb = sun_illuminance_rgb(sun_, natural.illuminance_rgb);
+  light.angular_radius_rad = sun_.angular_radius_rad.value_or(natural.shadow_radius_rad);
   state_.sky = sky_for(sky_, options, sun);
-  state_.sun.is_moon = false;
-  if (options.moon && !sun_.illuminance_lux && state_.sun.illuminance_rgb == glm::dvec3(0.0)) {
+  light.is_moon = false;
+  if (options.moon && !sun_.illuminance_lux && light.illuminance_rgb == glm::dvec3(0.0)) {
     // Once the sun is down, the moon casts the shadows.
     const glm::dvec3 moonlight = render::moon_illuminance_rgb(*options.moon, options.turbidity);
     if (moonlight != glm::dvec3(0.0)) {
-      state_.sun = {options.moon->apparent_direction_in_world(), moonlight, state_.sun.angular_radius_rad, true};
+      light = {options.moon->apparent_direction_in_world(), moonlight, light.angular_radius_rad, true};
     }
   }
-  if (state_.sky) state_.sun.illuminance_rgb *= state_.sky->transmittance(state_.sun.direction_in_world);
-  const glm::dvec3 on_level_ground = state_.sun.illuminance_rgb * std::max(0.0, state_.sun.direction_in_world.z);
+  if (state_.sky) light.illuminance_rgb *= state_.sky->transmittance(light.direction_in_world);
+  const glm::dvec3 on_level_ground = light.illuminance_rgb * std::max(0.0, light.direction_in_world.z);
   state_.sky_light =
       state_.sky ? render::sky_light(*state_.sky, on_level_ground, sky_.ground_albedo) : render::SkyLight{};
 }
@@ -127,17 +128,17 @@ render::SceneState SceneStateBuilder::at(double elapsed_s) {
 }
 
 double horizontal_illuminance(const render::SceneState& state) {
-  const double sine = std::max(0.0, state.sun.direction_in_world.z);
-  return glm::dot(state.sun.illuminance_rgb * sine + state.sky_light.horizontal_illuminance_rgb, kRec709);
+  const double sine = std::max(0.0, sun_of(state).direction_in_world.z);
+  return glm::dot(sun_of(state).illuminance_rgb * sine + state.sky_light.horizontal_illuminance_rgb, kRec709);
 }
 
 void log_light(const render::SceneState& state) {
-  const glm::dvec3& direction = state.sun.direction_in_world;
+  const glm::dvec3& direction = sun_of(state).direction_in_world;
   const double azimuth_deg = render::kDegPerRad * std::atan2(direction.x, direction.y);
   spdlog::info("{} at azimuth {:.2f}, elevation {:.2f} degrees, {:.5g} lux; sky {:.5g} lux on level ground",
-               state.sun.is_moon ? "moon" : "sun", azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg,
+               sun_of(state).is_moon ? "moon" : "sun", azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg,
                render::kDegPerRad * std::asin(std::clamp(direction.z, -1.0, 1.0)),
-               glm::dot(state.sun.illuminance_rgb, kRec709),
+               glm::dot(sun_of(state).illuminance_rgb, kRec709),
                glm::dot(state.sky_light.horizontal_illuminance_rgb, kRec709));
 }
 

@@ -121,7 +121,7 @@ render::Image tone_mapped(const render::LinearImage& picture, std::optional<doub
 namespace {
 
 // A level's faces side by side, the levels below each other from smooth to rough.
-render::LinearImage cube_picture(const SkyAnswer& answer, int size_px) {
+render::LinearImage cube_picture(const render::Daylight& answer, int size_px) {
   constexpr double kGroundAlbedo = 0.2;
   constexpr int kSmallestFace = 4;
   constexpr int kMostLevels = 5;
@@ -151,7 +151,7 @@ render::LinearImage cube_picture(const SkyAnswer& answer, int size_px) {
 
 }  // namespace
 
-render::LinearImage sky_picture(const SkyAnswer& answer, const SkyPictureOptions& options) {
+render::LinearImage sky_picture(const render::Daylight& answer, const SkyPictureOptions& options) {
   const int height = height_of(options);
   if (options.projection == SkyProjection::Cube) return cube_picture(answer, height);
   const bool lat_long = options.projection == SkyProjection::LatLong;
@@ -179,7 +179,8 @@ render::LinearImage sky_picture(const SkyAnswer& answer, const SkyPictureOptions
   return picture;
 }
 
-void write_sky_picture(const std::filesystem::path& path, const SkyAnswer& answer, const SkyPictureOptions& options) {
+void write_sky_picture(const std::filesystem::path& path, const render::Daylight& answer,
+                       const SkyPictureOptions& options) {
   const std::string ending = path.extension().string();
   if (ending != ".exr" && ending != ".hdr" && ending != ".png") {
     throw UsageError(path.string() + ": a sky picture is written as .exr, .hdr or .png");

@@ -31,10 +31,11 @@ class Background {
   explicit Background(const SceneState& scene)
       : scene_(scene),
         world_from_camera_(scene.camera.world_from_camera),
-        sun_(glm::normalize(scene.sun.direction_in_world)),
+        sun_(sun_of(scene)),
+        sun_direction_(glm::normalize(sun_.direction_in_world)),
         pixel_angle_rad_(scene.camera.lens ? 1.0 / scene.camera.width : 1.0 / scene.camera.fx) {
-    const double radius = scene.sun.angular_radius_rad;
-    if (radius > 0.0) disc_luminance_rgb_ = scene.sun.illuminance_rgb / (kPi * std::sin(radius) * std::sin(radius));
+    const double radius = sun_.angular_radius_rad;
+    if (radius > 0.0) disc_luminance_rgb_ = sun_.illuminance_rgb / (kPi * std::sin(radius) * std::sin(radius));
   }
 
   glm::vec3 at(int x, int y) const {
@@ -49,15 +50,17 @@ class Background {
  private:
   // The part of a pixel that the sun's disc covers, as if its rim were straight.
   double disc_coverage(const glm::dvec3& direction) const {
-    if (scene_.sun.angular_radius_rad <= 0.0) return 0.0;
+    if (sun_.angular_radius_rad <= 0.0) return 0.0;
     // atan2 is accurate for tiny angles, where acos is not.
-    const double angle = std::atan2(glm::length(glm::cross(direction, sun_)), glm::dot(direction, sun_));
-    return std::clamp((scene_.sun.angular_radius_rad - angle) / pixel_angle_rad_ + 0.5, 0.0, 1.0);
+    const double angle =
+        std::atan2(glm::length(glm::cross(direction, sun_direction_)), glm::dot(direction, sun_direction_));
+    return std::clamp((sun_.angular_radius_rad - angle) / pixel_angle_rad_ + 0.5, 0.0, 1.0);
   }
 
   const SceneState& scene_;
   glm::dmat3 world_from_camera_;
-  glm::dvec3 sun_;
+  const Sun& sun_;
+  glm::dvec3 sun_direction_;
   double pixel_angle_rad_;
   glm::dvec3 disc_luminance_rgb_{0.0};
 };
@@ -67,7 +70,7 @@ class Background {
 LinearImage sky_background(const SceneState& scene) {
   LinearImage image{scene.camera.width, scene.camera.height, {}};
   image.rgb.assign(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height), glm::vec3(0.0F));
-  if (!scene.sky && scene.sun.angular_radius_rad <= 0.0) return image;
+  if (!scene.sky && sun_of(scene).angular_radius_rad <= 0.0) return image;
   const Background background(scene);
   const int workers = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::vector<std::future<void>> running;

@@ -160,6 +160,7 @@ std::vector<FragmentUniform> fragment_uniforms(GLuint program) {
     GLsizei length = 0;
     glGetProgramResourceName(program, GL_UNIFORM, index, longest + 1, &length, name.data());
     const std::string exact = name.substr(0, static_cast<std::size_t>(length));
+    if (exact.find('.') != std::string::npos) continue;  // of a struct
     uniforms.push_back({exact.substr(0, exact.find('[')), static_cast<GLenum>(found[1])});
   }
   return uniforms;
@@ -177,8 +178,11 @@ StageTexts hand_on_uniforms(const StageTexts& texts, const std::vector<FragmentU
   StageTexts out;
   for_each_line(fragment, [&](const std::string& line, const std::optional<Declaration>& old, bool frame_of_block) {
     const auto place = old ? places.find(old->name) : places.end();
-    if (frame_of_block || (place == places.end() && old && old->in_block)) {
-      out.fragment += "\n";  // not read here
+    if (frame_of_block) {
+      out.fragment += "\n";
+    } else if (place == places.end() && old && old->in_block) {
+      // Named somewhere, but nothing that is drawn comes of it.
+      out.fragment += fmt::format("highp {} {}{};{}\n", old->type, old->name, old->bounds, old->rest);
     } else if (place == places.end()) {
       out.fragment += line + "\n";
     } else {

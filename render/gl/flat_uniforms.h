@@ -11,7 +11,7 @@ namespace render::gl {
 // of them take 15 ms of a million pixels, and as many that a vertex shader hands on flat take 1. Not so on GPUs; and
 // not where triangles are small, since each costs the setting up of all that is handed on.
 
-// A uniform that a linked program's fragment shader reads.
+// A uniform that a linked program's fragment shader reads; not those of structs.
 struct FragmentUniform {
   std::string name;  // without "[0]"
   GLenum type = 0;   // of an array: its elements'

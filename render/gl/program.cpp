@@ -99,13 +99,11 @@ Program::Program(std::string_view vertex_path, std::string_view fragment_path, c
   build(std::move(texts.vertex), std::move(texts.fragment));
 }
 
-Program::Program(std::string_view compute_path, const Defines& defines)
-    : name_(fmt::format("{}{}", compute_path, describe(defines))) {
-  const ShaderSource source = expand_shader(compute_path, defines);
-  declared_ = declared_uniforms(source.text);
-  const Shader compute(GL_COMPUTE_SHADER, compute_path, defines, source);
+Program::Program(std::string_view name, const ShaderSource& compute)
+    : name_(name), declared_(declared_uniforms(compute.text)) {
+  const Shader shader(GL_COMPUTE_SHADER, name, {}, compute);
   id_ = glCreateProgram();
-  glAttachShader(id_, compute.id);
+  glAttachShader(id_, shader.id);
   link();
 }
 

@@ -20,7 +20,8 @@ namespace render::gl {
 class Program {
  public:
   Program(std::string_view vertex_path, std::string_view fragment_path, const Defines& defines = {});
-  explicit Program(std::string_view compute_path, const Defines& defines = {});
+  // A compute program, of the shader of that name.
+  Program(std::string_view name, const ShaderSource& compute);
   Program(Program&& other) noexcept;
   Program& operator=(Program&& other) noexcept;
   ~Program();

@@ -14,42 +14,58 @@ namespace {
 
 using Macros = std::map<std::string, std::string, std::less<>>;
 
-// The condition of an #if, by recursive descent: or, and, comparison, term.
+// The condition of an #if, by recursive descent: or, and, comparison, sum, term.
 class Condition {
  public:
-  Condition(std::string text, const Macros& macros) : text_(std::move(text)), macros_(macros) {}
+  Condition(std::string text, const Macros& macros, int depth = 0)
+      : text_(std::move(text)), macros_(macros), depth_(depth) {}
 
-  bool evaluate() {
-    const bool value = any_of();
+  bool evaluate() { return number() != 0; }
+
+ private:
+  static constexpr int kDeepest = 16;  // of macros whose values are macros
+
+  int number() {
+    const int value = any_of();
     if (!next_is("")) refuse();
     return value;
   }
-
- private:
-  bool any_of() {
-    bool value = all_of();
-    while (take("||")) value = all_of() || value;
+  int any_of() {
+    int value = all_of();
+    while (take("||")) value = all_of() != 0 || value != 0;
     return value;
   }
-  bool all_of() {
-    bool value = comparison() != 0;
-    while (take("&&")) value = comparison() != 0 && value;
+  int all_of() {
+    int value = comparison();
+    while (take("&&")) value = comparison() != 0 && value != 0;
     return value;
   }
   int comparison() {
-    const int left = term();
-    if (take("==")) return left == term();
-    if (take("!=")) return left != term();
-    if (take("<=")) return left <= term();
-    if (take(">=")) return left >= term();
-    if (take("<")) return left < term();
-    if (take(">")) return left > term();
+    const int left = sum();
+    if (take("==")) return left == sum();
+    if (take("!=")) return left != sum();
+    if (take("<=")) return left <= sum();
+    if (take(">=")) return left >= sum();
+    if (take("<")) return left < sum();
+    if (take(">")) return left > sum();
     return left;
+  }
+  int sum() {
+    int value = term();
+    for (;;) {
+      if (take("+")) {
+        value += term();
+      } else if (take("-")) {
+        value -= term();
+      } else {
+        return value;
+      }
+    }
   }
   int term() {
     if (take("!")) return term() == 0;
     if (take("(")) {
-      const bool value = any_of();
+      const int value = any_of();
       if (!take(")")) refuse();
       return value;
     }
@@ -67,7 +83,8 @@ class Condition {
     if (std::isdigit(static_cast<unsigned char>(name[0])) != 0) return std::stoi(name);
     const auto macro = macros_.find(name);
     if (macro == macros_.end() || macro->second.empty()) return 0;
-    return std::isdigit(static_cast<unsigned char>(macro->second[0])) != 0 ? std::stoi(macro->second) : 0;
+    if (depth_ == kDeepest) refuse();
+    return Condition(macro->second, macros_, depth_ + 1).number();
   }
   void skip_blanks() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
@@ -96,6 +113,7 @@ class Condition {
 
   std::string text_;
   const Macros& macros_;
+  int depth_;
   std::size_t at_ = 0;
 };
 

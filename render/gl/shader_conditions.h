@@ -6,7 +6,7 @@
 namespace render::gl {
 
 // What the preprocessor leaves of a shader's text: the lines of branches that are not taken are empty, so that lines
-// keep their numbers. Knows #define of words and whole numbers, #undef, #if with defined(), comparisons, !, && and ||,
+// keep their numbers. Knows #define, #undef, #if with defined(), macros, whole numbers, + - ! && || and comparisons,
 // #ifdef, #ifndef, #elif, #else and #endif. Throws std::invalid_argument where a condition cannot be read.
 std::string active_lines(const std::string& text);
 

@@ -23,13 +23,14 @@ struct Needs {
 bool can_shadow_medium(const SceneState& scene, const std::vector<const Instance*>& occluders) {
   const std::optional<Box>& extent = scene.medium->extent;
   return std::ranges::any_of(
-      occluders, [&](const Instance* occluder) { return !extent || can_shadow(*occluder, *extent, scene.sun); });
+      occluders, [&](const Instance* occluder) { return !extent || can_shadow(*occluder, *extent, sun_of(scene)); });
 }
 
 Needs needs_of(const SceneState& scene) {
   Needs needs;
   for (const Instance& instance : scene.instances) ++(instance.real ? needs.real_instances : needs.virtual_instances);
-  needs.sun = std::max({scene.sun.illuminance_rgb.r, scene.sun.illuminance_rgb.g, scene.sun.illuminance_rgb.b}) > 0.0;
+  needs.sun = std::max({sun_of(scene).illuminance_rgb.r, sun_of(scene).illuminance_rgb.g,
+                        sun_of(scene).illuminance_rgb.b}) > 0.0;
   const std::vector<const Instance*> virtual_occluders = occluders(scene, Occluders::Virtual);
   const std::vector<const Instance*> real_occluders = occluders(scene, Occluders::Real);
   needs.occluders = !virtual_occluders.empty() || !real_occluders.empty();
@@ -134,7 +135,7 @@ class Planner {
     add(PassKind::SunShadow, "shadow",
         fmt::format("{0} x {0} texels, drawn again only when the sun, an occluder or the region they shade changes",
                     quality_.shadow_map_size),
-        fmt::format("{} and things that cast shadows", scene_.sun.is_moon ? "moonlight" : "sunlight"));
+        fmt::format("{} and things that cast shadows", sun_of(scene_).is_moon ? "moonlight" : "sunlight"));
   }
 
   void plan_objects() {

@@ -233,7 +233,7 @@ LinearImage Renderer::render_linear(const SceneState& scene, const Plan& plan) {
   impl.clock.begin_frame();
   impl.prepare(plan);
   const View view = impl.view_for(scene.camera);
-  const BackgroundKey key{scene.sky, scene.sun, scene.camera};
+  const BackgroundKey key{scene.sky, sun_of(scene), scene.camera};
   if (impl.background != key) {
     impl.clock.time("background", [&] { impl.still_pass.set_background(sky_background(scene)); });
     impl.background = key;

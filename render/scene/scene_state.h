@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/medium/medium.h"
+#include "render/scene/light.h"
 #include "render/scene/model.h"
 #include "render/sky/sky_light.h"
 
@@ -40,24 +41,23 @@ struct Camera {
   glm::dmat4 world_from_camera{1.0};    // rigid; camera x right, y down, z forward
 };
 
-// The sun as light: parallel, or a disc of that angular radius. By night the moon takes its place.
-struct Sun {
-  glm::dvec3 direction_in_world{0.0, 0.0, 1.0};  // unit, towards the sun
-  glm::dvec3 illuminance_rgb{0.0};               // lux on a plane facing it; zero: no sun
-  double angular_radius_rad = 0.0;               // 0: sharp shadows
-  bool is_moon = false;                          // for what people are told
-};
-
 // Everything about one instant, as plain values. Building it needs no GL.
 struct SceneState {
   Camera camera;
-  std::vector<Instance> instances;  // virtual and real
-  Sun sun;
+  std::vector<Instance> instances;      // virtual and real
+  std::vector<Light> lights;            // one sun at most; none: dark but for the sky
   std::shared_ptr<const SkyModel> sky;  // absent: no sky light, black background
   SkyLight sky_light;
   std::optional<Medium> medium;
   double exposure = 1.0 / 20000.0;  // display-linear per cd/m2
   bool draw_virtual = true;         // false while the tracker is lost: the picture passes through
 };
+
+// The scene's sun; one without illuminance where it has none.
+const Sun& sun_of(const SceneState& scene);
+
+// The scene's sun to be changed; one without illuminance is added first where it has none. Valid until a light is added
+// or taken away.
+Sun& ensure_sun(SceneState& scene);
 
 }  // namespace render

@@ -117,7 +117,7 @@ bool shadows_nothing(const Instance& plane, const SceneState& scene) {
   normal_in_model[axis] = 1.0;
   const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(plane.world_from_model)));
   glm::dvec3 normal = glm::normalize(normal_matrix * normal_in_model);
-  if (glm::dot(normal, scene.sun.direction_in_world) < 0.0) normal = -normal;
+  if (glm::dot(normal, sun_of(scene).direction_in_world) < 0.0) normal = -normal;
   const glm::dvec3 on_plane(plane.world_from_model * glm::dvec4(low, 1.0));
   const auto sunny = [&](const glm::dvec3& p) { return glm::dot(normal, p - on_plane) >= 0.0; };
   if (!sunny(glm::dvec3(scene.camera.world_from_camera[3]))) return false;
@@ -211,7 +211,7 @@ ShadowFit fit_shadow(const SceneState& scene, const View& view, const std::vecto
                      int size_px, FitTo to, const std::vector<OccluderPiece>& left_out) {
   ShadowFit fit;
   if (occluders.empty()) return fit;
-  const glm::dmat3 light_from_world = glm::transpose(world_from_light(scene.sun.direction_in_world));
+  const glm::dmat3 light_from_world = glm::transpose(world_from_light(sun_of(scene).direction_in_world));
   const Bounds region = region_of_interest(scene, view, light_from_world);
   Bounds all;
   for (std::size_t i = 0; i < occluders.size(); ++i) {

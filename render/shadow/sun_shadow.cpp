@@ -108,20 +108,21 @@ struct SunShadow::Impl {
               int size_px, GpuModels& models) {
     const int size = occluders.empty() ? 1 : size_px;
     const std::vector<OccluderKey> keys = keys_of(occluders);
-    const double disc_slope = std::tan(scene.sun.angular_radius_rad);
+    const double disc_slope = std::tan(sun_of(scene).angular_radius_rad);
     // The disc's size follows the earth's distance from the sun, by some 1e-10 of it in a frame.
-    const bool same = slot.rendered && keys == slot.keys && slot.map.size_px == size &&
-                      (occluders.empty() || (sun_stands(slot.map, slot.sun_direction, scene.sun.direction_in_world) &&
-                                             std::abs(slot.disc_slope - disc_slope) <= 1e-6 * disc_slope));
+    const bool same =
+        slot.rendered && keys == slot.keys && slot.map.size_px == size &&
+        (occluders.empty() || (sun_stands(slot.map, slot.sun_direction, sun_of(scene).direction_in_world) &&
+                               std::abs(slot.disc_slope - disc_slope) <= 1e-6 * disc_slope));
     const std::vector<OccluderPiece> left_out =
-        pieces_before_their_shadow(occluders, scene.sun.direction_in_world, view.eye_in_world);
+        pieces_before_their_shadow(occluders, sun_of(scene).direction_in_world, view.eye_in_world);
     if (same && !slot.map.fit.cut && left_out == slot.left_out) return false;
     const ShadowFit fit = fit_shadow(scene, view, occluders, size, FitTo::Occluders, left_out);
     slot.left_out = left_out;
     if (same && fit == slot.map.fit) return false;
     slot.keys = keys;
     slot.disc_slope = disc_slope;
-    slot.sun_direction = scene.sun.direction_in_world;
+    slot.sun_direction = sun_of(scene).direction_in_world;
     render(slot, fit, size, occluders, models);
     if (!fit.empty) bound(slot);
     return true;

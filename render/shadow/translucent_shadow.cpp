@@ -18,7 +18,8 @@ bool TranslucentShadow::update(const SceneState& scene, const View& view, int si
     key_ = {};
     return false;
   }
-  Key key{.translucent = {}, .sun_direction = scene.sun.direction_in_world, .size_px = std::min(size_px, kLargestMap)};
+  Key key{
+      .translucent = {}, .sun_direction = sun_of(scene).direction_in_world, .size_px = std::min(size_px, kLargestMap)};
   for (const Instance* pane : translucent) key.translucent.emplace_back(pane->model.get(), pane->world_from_model);
   const bool same = key == key_;
   if (same && !map_.fit.cut) return false;

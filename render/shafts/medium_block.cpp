@@ -41,8 +41,8 @@ MediumBlock medium_block(const SceneState& scene, const View& view) {
     block.local_ray_from_px[static_cast<std::size_t>(column)] = glm::vec4(rays[column], 0.0F);
   }
   block.near_m = static_cast<float>(View::kNearM);
-  block.sun_direction = glm::vec3(glm::normalize(scene.sun.direction_in_world));
-  block.sun_scattered = glm::vec3(scene.sun.illuminance_rgb * (medium.albedo * medium.shaft_gain * scene.exposure));
+  block.sun_direction = glm::vec3(glm::normalize(sun_of(scene).direction_in_world));
+  block.sun_scattered = glm::vec3(sun_of(scene).illuminance_rgb * (medium.albedo * medium.shaft_gain * scene.exposure));
   block.extinction = static_cast<float>(medium.extinction_per_m);
   if (medium.extent) {
     block.box_low_in_local = glm::vec3(medium.extent->min_in_world - view.eye_in_world);

@@ -60,7 +60,7 @@ const gl::Program& MediumProgram::use(const ShaftInputs& inputs, const glm::ivec
     program.set("cascade_m", glm::vec2(range.from_m, std::min(range.to_m, 1e30)));
   }
   if (variant.sun_disc) {
-    program.set("sun_disc_slope", static_cast<float>(std::tan(inputs.scene.sun.angular_radius_rad)));
+    program.set("sun_disc_slope", static_cast<float>(std::tan(sun_of(inputs.scene).angular_radius_rad)));
     inputs.occluders().bind(inputs.view, program);
   }
   cells_ = glm::ivec2(0);

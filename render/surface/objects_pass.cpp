@@ -153,7 +153,7 @@ struct ObjectsPass::Impl {
       const gl::Program& program = programs.virtual_surface(use, draw.material(), draw.textures(), casts);
       program.use();
       SurfacePrograms::set_material(program, draw.material(), draw.textures());
-      if (use != SurfacePrograms::Use::Depth) {
+      if (use == SurfacePrograms::Use::Light || use == SurfacePrograms::Use::MarkedLight) {
         set_light(program);
         sky_mirror.bind(program);
       }

@@ -34,8 +34,8 @@ double lowest_real_m(const SceneState& scene) {
 
 // Adds where the corners end up when they are moved along the light, down to the lowest real thing.
 void sweep_along_light(std::vector<glm::dvec3>& corners, const SceneState& scene, double lowest_m) {
-  const glm::dvec3 sun = scene.sun.direction_in_world;
-  if (scene.sun.illuminance_rgb == glm::dvec3(0.0) || !std::isfinite(lowest_m)) return;
+  const glm::dvec3 sun = sun_of(scene).direction_in_world;
+  if (sun_of(scene).illuminance_rgb == glm::dvec3(0.0) || !std::isfinite(lowest_m)) return;
   const std::size_t count = corners.size();
   for (std::size_t i = 0; i < count; ++i) {
     const double drop = std::max(corners[i].z - lowest_m, 0.0);

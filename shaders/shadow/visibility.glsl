@@ -1,31 +1,5 @@
 // How much of the sun a surface point sees past the occluders of one shadow map.
-//
-// Map coordinates: (u, v, depth), 0 to 1 inside the map, depth along the light's travel (render/shadow/sun_shadow.h).
-
-struct ShadowMap {
-  mat4 map_from_local;
-  mat3 local_from_map;
-  vec3 metres_per_unit;  // size of the map along u, v, depth
-  float texel;           // 1 / map size
-  float reach;           // of depth_bounds, in map units to either side
-  float layer;           // of the depth arrays
-};
-
-// What the receiver's own plane does to depth across the map: d depth / d (u, v), from its normal. Each column of
-// local_from_map is one map unit in metres. Isidoro 2006, "Shadow mapping: GPU-based tips and techniques": receiver
-// plane depth bias, here from the known normal instead of screen derivatives, so that it is exact on edges too.
-// A plane that the light grazes has an unbounded slope; such a plane receives next to no light, so it is capped.
-vec2 receiver_slope(mat3 local_from_map, vec3 normal_in_local) {
-  vec3 n = transpose(local_from_map) * normal_in_local;
-  float facing = min(n.z, -0.02 * length(local_from_map[2]));
-  return clamp(-n.xy / facing, vec2(-200.0), vec2(200.0));
-}
-
-// Fixed points spread evenly over the unit disc: Vogel 1979, "A better way to construct the sunflower head". Each turns
-// the last one's direction by the golden angle; software rasterisers have no quick sine.
-vec2 next_direction(vec2 direction) {
-  return mat2(-0.7373689, 0.6754903, -0.6754903, -0.7373689) * direction;
-}
+#include "lib/shadow.glsl"
 
 // What the search for blockers starts with.
 struct BlockerSearch {
@@ -43,10 +17,8 @@ BlockerSearch blocker_search(highp sampler2DArray depth_bounds, ShadowMap map, v
                              float disc_slope) {
   BlockerSearch search;
   float texel = map.texel;
-  vec3 metres_per_unit = map.metres_per_unit;
-  // Texels hold the depth at their centres, up to one texel from the point of a bilinear comparison.
-  search.receiver = at_in_map.z - (abs(slope.x) + abs(slope.y)) * texel - 0.0005 / metres_per_unit.z;
-  search.radius = disc_slope * search.receiver * metres_per_unit.z / metres_per_unit.xy + texel;
+  search.receiver = biased_receiver(map, at_in_map.z, slope);
+  search.radius = penumbra_radius(map, search.receiver, disc_slope) + texel;
   // On the sun's side of every occluder, or beside them all.
   bool beside = any(lessThan(at_in_map.xy, -search.radius)) || any(greaterThan(at_in_map.xy, 1.0 + search.radius));
   // Behind or before all that the search can meet: most of a picture is fully lit or fully dark. An empty texel holds
@@ -59,7 +31,7 @@ BlockerSearch blocker_search(highp sampler2DArray depth_bounds, ShadowMap map, v
   // No blocker is farther up the light than the nearest depth.
   if (bounded) {
     float gap = max(search.receiver - bounds.x, 0.0);
-    search.radius = min(search.radius, disc_slope * gap * metres_per_unit.z / metres_per_unit.xy + texel);
+    search.radius = min(search.radius, penumbra_radius(map, gap, disc_slope) + texel);
   }
   return search;
 }

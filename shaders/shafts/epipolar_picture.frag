@@ -25,14 +25,14 @@ float sunlight_seen(float z, Ray ray, MediumPath path, vec2 segment, vec2 part, 
 #if defined(LINE_MARCH)
   return lit_sunlight(0, ray, path, segment, part, all).x;
 #elif defined(BOTH_SLICES)
-  float row = on_line(gl_FragCoord.xy).row;
+  float row = on_line(line_fan(), gl_FragCoord.xy).row;
   float first = floor(row);
   return mix(lit_sunlight(int(first), ray, path, segment, part, all).x,
              lit_sunlight(int(first) + 1, ray, path, segment, part, all).x, row - first);
 #else
   // The nearest slice; halfway between two, neighbouring pixels take turns.
   vec2 turn = fract(0.5 * floor(gl_FragCoord.xy));
-  float nearest = floor(on_line(gl_FragCoord.xy).row + (turn.x == turn.y ? 0.499 : 0.501));
+  float nearest = floor(on_line(line_fan(), gl_FragCoord.xy).row + (turn.x == turn.y ? 0.499 : 0.501));
   return lit_sunlight(int(nearest), ray, path, segment, part, all).x;
 #endif
 }
@@ -54,7 +54,7 @@ vec2 between(vec4 pair, float along, float nearness, float all) {
 }
 
 float sunlight_seen(float z, Ray ray, MediumPath path, vec2 segment, vec2 part, float all) {
-  OnLine at = on_line(gl_FragCoord.xy);
+  OnLine at = on_line(line_fan(), gl_FragCoord.xy);
   float row = floor(at.row);
   float column = floor(at.ahead_px / sample_px);
   float from_px = column * sample_px;

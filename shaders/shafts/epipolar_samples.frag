@@ -13,7 +13,7 @@ layout(location = 0) out vec4 sampled;
 void main() {
   float row = floor(gl_FragCoord.y);
   float place_px = floor(gl_FragCoord.x) * sample_px;
-  Line line = line_of_row(row);
+  Line line = line_of_row(line_fan(), row);
   vec2 px = line.end + line.back * min(place_px, line.length_px);
   float z = distance_at(px * view_px_per_px, false);
   Ray ray = view_ray(px);

@@ -15,7 +15,7 @@ void main() {
   int first = group * kRows;
   int last = min(first + kRows, int(last_row) + 1);
   float longest_px = 0.0;
-  for (int row = first; row < last; ++row) longest_px = max(longest_px, line_of_row(float(row)).length_px);
+  for (int row = first; row < last; ++row) longest_px = max(longest_px, line_of_row(line_fan(), float(row)).length_px);
   float width = ceil(longest_px / sample_px) + more;
   vec2 px = vec2(corner.x != 0 ? width : 0.0, float(corner.y != 0 ? last : first));
   gl_Position = vec4(px / half_size_px - 1.0, 0.0, 1.0);

@@ -16,7 +16,7 @@ vec2 lit_sunlight(int row, Ray ray, MediumPath path, vec2 segment, vec2 part, fl
   vec2 lit = march(ray, path, marched, reach);
   return vec2(sunlight_when(lit.x, path, part, marched, reach, all), lit.y);
 #else
-  vec2 dark = traversal(row, ray, path, marched, reach);
+  vec2 dark = traverse(row, ray, path, marched, reach);
   bool lit_somewhere = dark.x >= 0.0 || marched.x > part.x || reach < part.y;
   return vec2(lit_somewhere ? clamp(all - abs(dark.x), 0.0, all) : 0.0, dark.y);
 #endif

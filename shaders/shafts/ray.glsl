@@ -4,7 +4,7 @@
 #ifndef OUT
 #define OUT(type) out type
 #endif
-#include "lib/medium.glsl"
+#include "lib/medium_path.glsl"
 #include "shafts/medium_block.glsl"
 
 uniform vec2 view_px_per_px;  // pixels of the ideal picture in one of this
@@ -38,117 +38,10 @@ vec2 medium_segment(Ray ray, float z) {
   return segment;
 }
 
-// The medium along a ray that enters the medium `entry` metres from the eye.
-struct MediumPath {
-  float entry;
-#ifdef BOUNDED
-  vec3 line_a;  // sun_path_lines()
-  vec3 line_b;
-#endif
-#ifdef FALLOFF
-  float rise;  // scale heights for a metre along the ray
-#endif
-};
-
 MediumPath medium_along(Ray ray, float entry) {
-  MediumPath path;
-  path.entry = entry;
-#ifdef BOUNDED
-  sun_path_lines(vec3(0.0), ray.direction, box_low_in_local, box_high_in_local, sun_direction, path.line_a,
-                 path.line_b);
-#endif
-#ifdef FALLOFF
-  path.rise = ray.direction.z / scale_height_m;
-#endif
-  return path;
-}
-
-// Optical depth from where the ray enters the medium to t metres from the eye.
-float view_depth_to(MediumPath path, float t) {
-#ifdef FALLOFF
-  return falloff_depth(log_extinction, path.rise * path.entry, path.rise * t, t - path.entry);
-#else
-  return extinction * (t - path.entry);
-#endif
-}
-
-// Optical depth of the light's own way through the medium to that point. A medium without bounds takes the sun's light
-// as given everywhere.
-float sun_depth_to(MediumPath path, float t) {
-#ifdef BOUNDED
-  float way = sun_path(path.line_a, path.line_b, t);
-#ifdef FALLOFF
-  float height = path.rise * t;
-  return falloff_depth(log_extinction, height, height + way * sun_direction.z / scale_height_m, way);
-#else
-  return extinction * way;
-#endif
-#else
-  return 0.0;
-#endif
-}
-
-// How far from the eye that optical depth is reached, counted from the entry.
-float distance_at_optical_depth(MediumPath path, float depth) {
-#ifdef FALLOFF
-  float at_entry = exp(clamp(log_extinction - path.rise * path.entry, -80.0, 40.0));
-  return path.entry + falloff_length(at_entry, path.rise, depth);
-#else
-  return path.entry + depth / max(extinction, 1e-20);
-#endif
-}
-
-// What sunlight_between() needs of a point t metres from the eye. y: the optical depth of the view's way there and of
-// the light's own. x: BOUNDED, the view's alone; else the light that all of the way there sends to the eye.
-vec2 depth_sample_at(MediumPath path, float t) {
-  float view = view_depth_to(path, t);
-#ifdef BOUNDED
-  return vec2(view, view + sun_depth_to(path, t));
-#else
-  return vec2(scattered_fraction(view), view);
-#endif
-}
-
-// Part of the sun's light, at phase function and albedo 1, that the way between two points sends to the eye when
-// nothing shadows it: integral of exp(-depth) d(view's depth). Exact in an unbounded medium, and in a homogeneous one
-// between the kinks of the light's way.
-float sunlight_between(vec2 depth_sample_a, vec2 depth_sample_b) {
-  float more = max(depth_sample_b.x - depth_sample_a.x, 0.0);
-#ifdef BOUNDED
-  return more * exp(-min(depth_sample_a.y, depth_sample_b.y)) * fall_off(abs(depth_sample_b.y - depth_sample_a.y));
-#else
-  return more;
-#endif
-}
-
-// The same for any segment.
-float sunlight_of(MediumPath path, vec2 segment) {
-#if defined(BOUNDED) && defined(FALLOFF)
-  const int kPieces = 24;
-  float sum = 0.0;
-  vec2 depth_sample = depth_sample_at(path, segment.x);
-  for (int i = 1; i <= kPieces; ++i) {
-    vec2 next = depth_sample_at(path, mix(segment.x, segment.y, float(i) / float(kPieces)));
-    sum += sunlight_between(depth_sample, next);
-    depth_sample = next;
-  }
-  return segment.y > segment.x ? sum : 0.0;
-#elif defined(BOUNDED)
-  return bounded_fraction(extinction, segment, path.entry, path.line_a, path.line_b);
-#else
-  float before = view_depth_to(path, segment.x);
-  float within = max(view_depth_to(path, segment.y) - before, 0.0);
-  return exp(-before) * scattered_fraction(within);
-#endif
-}
-
-// And for all of the way from the medium's edge to t metres from the eye.
-float sunlight_to(MediumPath path, float t) {
-#ifdef BOUNDED
-  return sunlight_of(path, vec2(path.entry, t));
-#else
-  return scattered_fraction(max(view_depth_to(path, t), 0.0));
-#endif
+  MediumShape shape = MediumShape(extinction, log_extinction, scale_height_m, box_low_in_local, box_high_in_local,
+                                  sun_direction);
+  return medium_path(shape, ray.direction, entry);
 }
 
 // The part of the medium's segment that this is about.

@@ -1,4 +1,4 @@
-#include "surface/sh9.glsl"
+#include "lib/sh9.glsl"
 
 #include "shafts/medium_block.glsl"
 

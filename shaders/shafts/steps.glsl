@@ -4,6 +4,7 @@
 #ifdef SUN_DISC
 #include "shadow/shadow_maps.glsl"
 #endif
+#include "lib/steps.glsl"
 #ifndef SPACING
 #define SPACING 0
 #endif
@@ -13,20 +14,13 @@ uniform float near_way_m;  // up to this far into the segment, before they grow
 
 // Where step i of the segment begins, metres from the eye.
 float step_start(int i, MediumPath path, vec2 segment) {
-  float part = float(i) / float(steps);
   if (i >= steps) return segment.y;
 #if SPACING == 1
-  vec2 depths = vec2(view_depth_to(path, segment.x), view_depth_to(path, segment.y));
-  return clamp(distance_at_optical_depth(path, mix(depths.x, depths.y, part)), segment.x, segment.y);
+  return step_of_equal_depth(i, steps, path, segment);
 #elif SPACING == 2
-  // Tan 2020, algorithm 1: a near layer of equal steps, then steps whose length grows in proportion to their count.
-  float near = min(near_way_m, segment.y - segment.x);
-  if (i < near_steps) return segment.x + near * float(i) / float(near_steps);
-  float k = float(i - near_steps);
-  float n = float(steps - near_steps);
-  return segment.x + near + (segment.y - segment.x - near) * k * (k + 1.0) / (n * (n + 1.0));
+  return growing_step(i, steps, near_steps, near_way_m, segment);
 #else
-  return mix(segment.x, segment.y, part);
+  return equal_step(i, steps, segment);
 #endif
 }
 

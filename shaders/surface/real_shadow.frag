@@ -4,7 +4,7 @@
 precision highp float;
 
 #include "shadow/shadow_maps.glsl"
-#include "surface/sh9.glsl"
+#include "lib/sh9.glsl"
 #ifdef TRANSLUCENT
 #include "shadow/translucent.glsl"
 #endif

@@ -5,8 +5,8 @@
 #ifdef TRANSLUCENT
 #include "shadow/translucent.glsl"
 #endif
-#include "surface/sh9.glsl"
-#include "surface/brdf.glsl"
+#include "lib/sh9.glsl"
+#include "lib/brdf.glsl"
 
 uniform vec3 sun_direction_in_local;
 uniform vec3 sun_illuminance;       // pre-exposed
@@ -42,6 +42,8 @@ in vec3 v_position;
 in vec3 v_normal;
 in vec4 v_tangent;
 in vec2 v_uv;
+
+const float kPi = 3.14159265;
 
 // Part of the light on a leaf that comes out at its other side; leaves let a quarter to a third of it through
 // (Woolley 1971, "Reflectance and transmittance of light by leaves").

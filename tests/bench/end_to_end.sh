@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Speed and memory of the whole job on the demo clip: `end_to_end.sh BUILD_DIR`, called by `./dev bench`.
-# Prints Markdown for docs/performance.md. Times are medians of $RUNS runs, taken alternately with the bare
+# Prints Markdown for docs/measurements/processing.md. Times are medians of $RUNS runs, taken alternately with the bare
 # decode-and-encode of the same clip, so that both meet the same machine.
 set -euo pipefail
 build=$(realpath "$1")

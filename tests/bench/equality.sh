@@ -17,9 +17,7 @@ if [ $# -ne 2 ]; then
   echo "usage: equality.sh BUILD_DIR OUT_DIR | equality.sh --compare OUT_A OUT_B" >&2
   exit 2
 fi
-for program in skyshaft skyshaft-bench-scenes skyshaft-models; do
-  [ -f "$1/$program" ] || { echo "equality.sh: $1: no program $program in it; build it first" >&2; exit 2; }
-done
+[ -f "$1/skyshaft" ] || { echo "equality.sh: $1: no program skyshaft in it; build it first" >&2; exit 2; }
 if [ -e "$2" ] && [ ! -f "$2/machine.txt" ] && [ -n "$(ls -A "$2")" ]; then
   echo "equality.sh: $2: not empty, and not made by this script; name another folder" >&2
   exit 2
@@ -98,4 +96,4 @@ spawn cameras_and_maps
 wait
 find outputs/words -empty -delete # most commands print nothing
 (cd outputs && find . -type f -printf '%P\0' | sort -z | xargs -0 sha256sum) >hashes.txt
-[ ! -s work/failed ] || { echo "equality.sh: failed, see $PWD/work/failed" >&2; exit 1; }
+[ ! -s work/failed ] || { echo "equality.sh: not whole: what failed is in $PWD/work/failed" >&2; exit 1; }

@@ -43,7 +43,7 @@ Times median_times(const std::function<void()>& pass) {
 
 SceneState garden() {
   SceneState scene = sunny(20.0, 35.0);
-  scene.sun.angular_radius_rad = 0.00465;
+  ensure_sun(scene).angular_radius_rad = 0.00465;
   scene.camera = look_at(1280, 720, {0.3, -6.0, 1.6}, {0.0, 0.0, 1.3}, 55.0);
   scene.instances = {place(make_ground(), glm::dvec3(0.0), true), load("pergola", glm::dvec3(0.0)),
                      load("plant", {0.8, -1.2, 0.0})};
@@ -67,8 +67,8 @@ Instance turned(const std::string& name, const glm::dvec3& position, double head
 // data/scenes/demo.yaml, seen as in the middle of the demo's recording.
 SceneState court() {
   SceneState scene = sunny(247.83, 25.83);
-  scene.sun.illuminance_rgb = glm::dvec3(74000.0);
-  scene.sun.angular_radius_rad = 0.0047;
+  ensure_sun(scene).illuminance_rgb = glm::dvec3(74000.0);
+  ensure_sun(scene).angular_radius_rad = 0.0047;
   scene.exposure = 1.0 / 13500.0;
   Camera& camera = scene.camera;
   camera.width = 1280;
@@ -134,7 +134,7 @@ TEST(LightBench, MedianOfEachPassAt1280x720) {
   report("shadow map 2048, still", median_times([&] { r.shadow.update(scene, view, 2048, r.models); }));
   report("objects", median_times([&] { r.objects.draw(scene, view, r.shadow, r.models); }));
   SceneState dark = scene;
-  dark.sun.illuminance_rgb = glm::dvec3(0.0);
+  ensure_sun(dark).illuminance_rgb = glm::dvec3(0.0);
   report("objects, no sun", median_times([&] { r.objects.draw(dark, view, r.shadow, r.models); }));
   dark.instances.resize(2);
   report("objects, no sun, pergola", median_times([&] { r.objects.draw(dark, view, r.shadow, r.models); }));
@@ -172,7 +172,7 @@ TEST(LightBench, TheDemosObjectsAt1280x720) {
   scene.instances.erase(scene.instances.begin());
   report("court: plant alone", median_times(objects));
   scene.instances = all;
-  scene.sun.illuminance_rgb = glm::dvec3(0.0);
+  ensure_sun(scene).illuminance_rgb = glm::dvec3(0.0);
   report("court: objects, no sun", median_times(objects));
   report("court: objects, no sun, no anti-aliasing",
          median_times([&] { plain.draw(scene, view, r.shadow, r.models); }));

@@ -73,7 +73,7 @@ struct Setting {
 SceneState scene_of(const std::filesystem::path& folder, const std::string& name, const Setting& setting) {
   const auto starts = [&](const char* word) { return name.starts_with(word); };
   SceneState scene = sunny(setting.sun_deg.x, setting.sun_deg.y, starts("room") ? 0.0 : 6000.0);
-  scene.sun.illuminance_rgb = glm::dvec3(starts("room") ? 80000.0 : 260000.0);
+  ensure_sun(scene).illuminance_rgb = glm::dvec3(starts("room") ? 80000.0 : 260000.0);
   scene.exposure = 1.0 / (starts("gate") ? 34000.0 : starts("forest") ? 32000.0 : 3800.0);
   scene.medium.emplace();
   scene.medium->extinction_per_m = starts("gate") ? 0.025 : starts("forest") ? 0.028 : 0.09;

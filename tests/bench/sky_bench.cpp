@@ -1,6 +1,7 @@
-// Accuracy and cost of sun and sky. Prints the tables of docs/sky.md, or puts them there:
+// Accuracy and cost of sun and sky. Prints the tables of docs/measurements/sky.md, or puts them there:
 //   bench_sky [--write DOCS]
-// DOCS/sky.md has a place for each table, between <!-- bench:NAME --> and <!-- /bench -->; plots go to DOCS/images.
+// DOCS/measurements/sky.md has a place for each table, between <!-- bench:NAME --> and <!-- /bench -->; plots go to
+// DOCS/images.
 
 #include "tests/bench/sky_bench.h"
 
@@ -31,7 +32,7 @@ std::string with_table(const std::string& page, const std::string& name, const s
 }
 
 void put_in_place(const bench::Report& report, const std::filesystem::path& docs) {
-  const std::filesystem::path file = docs / "sky.md";
+  const std::filesystem::path file = docs / "measurements" / "sky.md";
   std::ifstream in(file, std::ios::binary);
   std::string page{std::istreambuf_iterator<char>(in), {}};
   for (const auto& [name, table] : report.tables) page = with_table(page, name, table);

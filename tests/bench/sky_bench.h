@@ -10,7 +10,8 @@
 
 namespace bench {
 
-// What the benchmarks of sun and sky write: Markdown by the name of its place in docs/sky.md, SVG by file name.
+// What the benchmarks of sun and sky write: Markdown by the name of its place in docs/measurements/sky.md, SVG by file
+// name.
 struct Report {
   std::map<std::string, std::string> tables;
   std::map<std::string, std::string> plots;

@@ -16,7 +16,7 @@ SceneState under_perez_sky() {
   SunPosition sun;
   sun.azimuth_rad = glm::radians(135.0);
   sun.elevation_rad = sun.apparent_elevation_rad = glm::radians(32.0);
-  scene.sun.illuminance_rgb = glm::dvec3(0.0);  // its highlight is not what is looked at
+  ensure_sun(scene).illuminance_rgb = glm::dvec3(0.0);  // its highlight is not what is looked at
   scene.sky = make_sky({}, sun);
   scene.sky_light = sky_light(*scene.sky, glm::dvec3(0.0), kAlbedo);
   return scene;

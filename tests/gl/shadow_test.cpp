@@ -130,7 +130,7 @@ TEST(SunShadowPicture, RealWallShadesVirtualThingsAndVirtualShadeAddsNothingTher
 int penumbra_px(double height_m) {
   constexpr double kElevationDeg = 60.0;
   SceneState scene = from_above(180.0, kElevationDeg);
-  scene.sun.angular_radius_rad = 0.02;  // wider than the sun's, to have pixels to count
+  ensure_sun(scene).angular_radius_rad = 0.02;  // wider than the sun's, to have pixels to count
   const double north = height_m / std::tan(glm::radians(kElevationDeg));
   scene.instances.push_back(place(make_box({1.0, 1.0, 0.001}), {0.0, -north, height_m}, false));
   const glm::dvec3 aside(0.0, 0.6, 0.0);  // the board's own picture must not cover the middle row
@@ -166,7 +166,7 @@ TEST(SunShadowPicture, StillSceneIsBitEqualAndItsShadowMapIsNotRenderedAgain) {
 
 TEST(SunShadowPicture, OriginTenKilometresAwayChangesNothingToBeSeen) {
   SceneState near_scene = sunny(140.0, 35.0);
-  near_scene.sun.angular_radius_rad = 0.00465;
+  ensure_sun(near_scene).angular_radius_rad = 0.00465;
   near_scene.camera = look_at(640, 360, {0.0, -4.0, 1.6}, {0.0, 0.0, 0.8}, 50.0);
   near_scene.instances = {ground(), load("bench", {0.0, 0.0, 0.0})};
   near_scene.medium = Medium{};

@@ -71,7 +71,7 @@ TEST(ShaftConvergence, EveryTechniqueComesToTheReferenceAsItsParametersRise) {
 // Beside the truth with the sun as a disc, here six times as wide as ours: as a point it leaves the edges too sharp.
 TEST(ShaftSunDisc, SoftensTheShaftsAsTheReferenceDoes) {
   SceneState scene = posts(false);
-  scene.sun.angular_radius_rad = 0.028;
+  ensure_sun(scene).angular_radius_rad = 0.028;
   const ReferencePicture truth = truth_of(scene);
   struct Technique {
     const char* settings;

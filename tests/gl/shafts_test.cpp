@@ -34,8 +34,8 @@ glm::dvec3 direction(const SceneState& scene, int x, int y) {
 
 double sun_source(const SceneState& scene, const glm::dvec3& ray) {
   const Medium& m = *scene.medium;
-  return scene.sun.illuminance_rgb.r * scene.exposure * m.albedo *
-         phase(m.phase_function, m.g, glm::dot(ray, scene.sun.direction_in_world));
+  return sun_of(scene).illuminance_rgb.r * scene.exposure * m.albedo *
+         phase(m.phase_function, m.g, glm::dot(ray, sun_of(scene).direction_in_world));
 }
 
 TEST(Shafts, WithoutOccludersTheyAreTheClosedFormUpToTheGround) {
@@ -85,7 +85,7 @@ TEST(Shafts, BoundedMediumAttenuatesTheSunOnItsOwnWay) {
   scene.medium->extent = Box{{-2.0, 4.0, 0.0}, {3.0, 7.0, 4.0}};
   const LightPictures pictures = rig().render(scene, kMarch);
   const glm::dvec3 ray = direction(scene, 32, 20);
-  const glm::dvec3 sun = scene.sun.direction_in_world;
+  const glm::dvec3 sun = sun_of(scene).direction_in_world;
   // Brute force in double.
   double sum = 0.0;
   const double enter = 4.0 / ray.y;
@@ -106,7 +106,7 @@ TEST(Shafts, BoundedMediumAttenuatesTheSunOnItsOwnWay) {
 // Half the world lies under a large slab: along a level ray the boundary of its shadow is where geometry says.
 TEST(Shafts, LargeSlabCutsTheLightWhereGeometrySays) {
   SceneState scene = level_view();
-  scene.sun.direction_in_world = sun_direction(0.0, 45.0);  // from the north, ahead
+  ensure_sun(scene).direction_in_world = sun_direction(0.0, 45.0);  // from the north, ahead
   // A slab 3 m above the eye, its southern edge at y = 8: the shadow's edge meets the eye's height at y = 5.
   scene.instances = {place(make_box({1000.0, 1000.0, 0.01}), {0.0, 508.0, 4.5}, false)};
   const LightPictures pictures =
@@ -123,7 +123,7 @@ TEST(Shafts, ExtremesStayFiniteAndNeverExceedTheUnshadowedForm) {
     for (const double g : {-0.99, 0.0, 0.99}) {
       for (const bool bounded : {false, true}) {
         SceneState scene = level_view();
-        scene.sun.direction_in_world = sun_direction(0.0, 0.5);  // almost into the sun
+        ensure_sun(scene).direction_in_world = sun_direction(0.0, 0.5);  // almost into the sun
         scene.medium = haze(extinction, g);
         if (bounded) scene.medium->extent = Box{{-5.0, -5.0, 0.0}, {5.0, 15.0, 4.0}};
         scene.instances = {place(make_ground(), glm::dvec3(0.0), true),
@@ -147,7 +147,7 @@ TEST(Shafts, ExtremesStayFiniteAndNeverExceedTheUnshadowedForm) {
 TEST(Shafts, SealedBoxLetsNoSunIn) {
   for (const double azimuth : {30.0, 160.0, 250.0}) {
     SceneState scene = level_view();
-    scene.sun.direction_in_world = sun_direction(azimuth, 35.0);
+    ensure_sun(scene).direction_in_world = sun_direction(azimuth, 35.0);
     scene.instances = {place(sealed_room(), {0.0, 0.0, 1.5}, false)};
     scene.medium->extinction_per_m = 0.5;
     const LightPictures pictures = rig().render(scene, kMarch);

@@ -120,8 +120,8 @@ float brightest(const Pixels& picture) {
 
 SceneState sunny(double azimuth_deg, double elevation_deg, double sky_luminance) {
   SceneState scene;
-  scene.sun.direction_in_world = sun_direction(azimuth_deg, elevation_deg);
-  scene.sun.illuminance_rgb = glm::dvec3(90000.0);
+  ensure_sun(scene).direction_in_world = sun_direction(azimuth_deg, elevation_deg);
+  ensure_sun(scene).illuminance_rgb = glm::dvec3(90000.0);
   scene.sky_light.radiance_sh[0] = glm::dvec3(sky_luminance * std::sqrt(4.0 * glm::pi<double>()));
   scene.sky_light.horizontal_illuminance_rgb = glm::dvec3(sky_luminance * glm::pi<double>());
   scene.exposure = 1.0 / 30000.0;

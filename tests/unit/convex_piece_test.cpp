@@ -98,18 +98,18 @@ struct Fitted {
 Fitted fit_for(const glm::dvec3& eye) {
   SceneState scene;
   scene.instances.push_back({"post", std::make_shared<const Model>(post_on_slab()), glm::dmat4(1.0), false});
-  scene.sun.direction_in_world = glm::normalize(glm::dvec3(1, 0, 1));
+  ensure_sun(scene).direction_in_world = glm::normalize(glm::dvec3(1, 0, 1));
   scene.camera.world_from_camera[3] = glm::dvec4(eye, 1.0);
   View view = pinhole_view(scene.camera);
   const auto all = occluders(scene, Occluders::Virtual);
-  const auto out = pieces_before_their_shadow(all, scene.sun.direction_in_world, eye);
+  const auto out = pieces_before_their_shadow(all, sun_of(scene).direction_in_world, eye);
   return {fit_shadow(scene, view, all, 1024, FitTo::Occluders, out), out.size()};
 }
 
 TEST(ShadowFit, MapsOfAnySizeAreFiniteAndHoldTheirOccluders) {
   SceneState scene;
   scene.instances.push_back({"post", std::make_shared<const Model>(post_on_slab()), glm::dmat4(1.0), false});
-  scene.sun.direction_in_world = glm::normalize(glm::dvec3(1, 0, 1));
+  ensure_sun(scene).direction_in_world = glm::normalize(glm::dvec3(1, 0, 1));
   const View view = pinhole_view(scene.camera);
   const auto all = occluders(scene, Occluders::Virtual);
   for (const int size_px : {1, 2, 6, 7, 8, 64, 8192}) {

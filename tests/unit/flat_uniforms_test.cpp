@@ -1,5 +1,5 @@
 // The rewriting of two shaders' texts by which uniforms reach fragments as flat varyings. That what is drawn stays the
-// same is the golden tests' to show.
+// same is the GL tests' to show.
 #include "render/gl/flat_uniforms.h"
 
 #include <gmock/gmock.h>
@@ -69,6 +69,34 @@ TEST(FlatUniforms, BeyondTheRoomAndSamplersStayAsTheyAre) {
   EXPECT_THAT(texts.fragment, HasSubstr("uniform vec3 sh[9];"));
   EXPECT_THAT(texts.fragment, HasSubstr("uniform highp sampler2D depth;"));
   EXPECT_THAT(texts.vertex, Not(HasSubstr("kind")));
+}
+
+const char* const kWithBlock = R"(#version 310 es
+layout(std140) uniform Block {
+  highp vec3 low;  // metres
+  highp float unread;
+  highp vec3 sh[9];
+};
+uniform int kind;
+void main() {}
+)";
+
+TEST(FlatUniforms, MembersOfABlockAreReadByTheVertexShaderAlone) {
+  const StageTexts texts =
+      hand_on_uniforms({kVertex, kWithBlock}, {{"kind", GL_INT}, {"low", GL_FLOAT_VEC3}, {"sh", GL_FLOAT_VEC3}}, 10);
+  EXPECT_THAT(texts.fragment, HasSubstr("layout(location = 0) flat in highp vec3 low;  // metres"));
+  EXPECT_THAT(texts.fragment, HasSubstr("layout(location = 1) flat in highp vec3 sh[9];"));
+  EXPECT_THAT(texts.fragment, HasSubstr("uniform int kind;")) << "members of the block come first";
+  EXPECT_THAT(texts.fragment, Not(HasSubstr("std140")));
+  EXPECT_THAT(texts.fragment, HasSubstr("\nhighp float unread;")) << "a name that may stand in code without effect";
+  EXPECT_THAT(texts.vertex, HasSubstr("layout(std140) uniform Block {"));
+  EXPECT_THAT(texts.vertex, HasSubstr("  handed_0 = low;"));
+  EXPECT_THROW(hand_on_uniforms({kVertex, kWithBlock}, {{"sh", GL_FLOAT_VEC3}}, 8), std::runtime_error);
+}
+
+TEST(FlatUniforms, WithoutBlocksMembersArePlain) {
+  EXPECT_THAT(render::gl::without_blocks(kWithBlock), HasSubstr("\n\nuniform highp vec3 low;  // metres\n"));
+  EXPECT_THAT(render::gl::without_blocks(kWithBlock), Not(HasSubstr("std140")));
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ SceneState sunlit_scene() {
   scene.camera.fx = scene.camera.fy = 500.0;
   scene.camera.cx = 320.0;
   scene.camera.cy = 240.0;
-  scene.sun.direction_in_world = glm::normalize(glm::dvec3(0.0, -1.0, 1.0));
-  scene.sun.illuminance_rgb = glm::dvec3(90000.0);
+  ensure_sun(scene).direction_in_world = glm::normalize(glm::dvec3(0.0, -1.0, 1.0));
+  ensure_sun(scene).illuminance_rgb = glm::dvec3(90000.0);
   return scene;
 }
 
@@ -75,7 +75,7 @@ TEST(Plan, WithoutTheSunThereIsNoShadowMap) {
   SceneState scene = sunlit_scene();
   scene.instances.push_back(box(false));
   scene.medium = haze();
-  scene.sun.illuminance_rgb = glm::dvec3(0.0);
+  ensure_sun(scene).illuminance_rgb = glm::dvec3(0.0);
   const Plan plan = render::make_plan(scene, {});
   EXPECT_FALSE(plan.has(PassKind::SunShadow));
   EXPECT_THAT(omission(plan, "shadow"), HasSubstr("no sunlight"));
@@ -111,7 +111,7 @@ TEST(Plan, OccludersThatCannotShadowTheMediumCarveNoShafts) {
   EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "interleaved");
   scene.medium->extent = render::Box{{0.51, 1.0, -3.0}, {1.0, 3.0, -1.0}};  // a centimetre beside its shadow
   EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "closed-form");
-  scene.sun.angular_radius_rad = 0.00465;  // and within the penumbra
+  ensure_sun(scene).angular_radius_rad = 0.00465;  // and within the penumbra
   EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "interleaved");
 }
 

@@ -47,14 +47,14 @@ Instance place(Model model, const glm::dvec3& at = glm::dvec3(0.0)) {
 // Sun in the east, 45 degrees high, in a medium without bounds; no sky.
 SceneState hazy(double extinction_per_m) {
   SceneState scene;
-  scene.sun = {.direction_in_world = {std::sqrt(0.5), 0.0, std::sqrt(0.5)}, .illuminance_rgb = kLux};
+  ensure_sun(scene) = {.direction_in_world = {std::sqrt(0.5), 0.0, std::sqrt(0.5)}, .illuminance_rgb = kLux};
   scene.medium = Medium{.extinction_per_m = extinction_per_m, .albedo = 0.9, .g = 0.4};
   return scene;
 }
 
 glm::dvec3 sun_scale(const SceneState& scene, const ViewRay& ray) {
   return kLux * (scene.medium->albedo * phase(scene.medium->phase_function, scene.medium->g,
-                                              glm::dot(ray.direction_in_world, scene.sun.direction_in_world)));
+                                              glm::dot(ray.direction_in_world, sun_of(scene).direction_in_world)));
 }
 
 // The issue's own figure for all closed forms.
@@ -103,11 +103,11 @@ TEST(ShaftReference, LookingAtTheSunPastAnEdge) {
   Mesh plate;
   add_plate(plate, {-10.0F, -50.0F}, {10.0F, 50.0F}, 5.0F);
   scene.instances.push_back(place(model_of(plate)));
-  const ReferenceLight up = ShaftReference(scene).along({{0.0, 0.0, 1.0}, scene.sun.direction_in_world}, 30.0);
+  const ReferenceLight up = ShaftReference(scene).along({{0.0, 0.0, 1.0}, sun_of(scene).direction_in_world}, 30.0);
   const double hit = 4.0 * std::numbers::sqrt2;  // in the plate's shadow up to the plate, then free
   const glm::dvec3 scale = kLux * 0.9 * phase(PhaseFunction::HenyeyGreenstein, 0.4, 1.0);
   expect_same(up.luminance_rgb, scale * (std::exp(-0.05 * hit) - std::exp(-1.5)));
-  const ReferenceLight down = ShaftReference(scene).along({{0.0, 0.0, 9.0}, -scene.sun.direction_in_world}, 8.0);
+  const ReferenceLight down = ShaftReference(scene).along({{0.0, 0.0, 9.0}, -sun_of(scene).direction_in_world}, 8.0);
   const glm::dvec3 back = kLux * 0.9 * phase(PhaseFunction::HenyeyGreenstein, 0.4, -1.0);
   expect_same(down.luminance_rgb, back * (1.0 - std::exp(-0.05 * 4.0 * std::numbers::sqrt2)));
 }
@@ -134,7 +134,7 @@ TEST(ShaftReference, SunIsAttenuatedInsideABoundedMedium) {
       const double depth = optical_depth(*scene.medium, ray.origin_in_world + entry * ray.direction_in_world,
                                          ray.direction_in_world, std::max(0.0, t - entry));
       return extinction_at(*scene.medium, x) *
-             std::exp(-depth - sun_optical_depth(*scene.medium, x, scene.sun.direction_in_world));
+             std::exp(-depth - sun_optical_depth(*scene.medium, x, sun_of(scene).direction_in_world));
     };
     const double expected = simpson(value, entry, change) + simpson(value, change, end);
     const ReferenceLight light = ShaftReference(scene).along(ray, kEndless);
@@ -159,7 +159,7 @@ TEST(ShaftReference, PointLightInAUniformMedium) {
   // The airlight integral [Sun, Ramamoorthi, Narasimhan & Nayar 2005, eq. 9] with h the light's distance from the ray:
   // sigma_s I / (4 pi h) exp(-s nearest) * integral of exp(-s h (sin x + 1) / cos x) over the angle x at the light.
   SceneState scene = hazy(0.05);
-  scene.sun.illuminance_rgb = glm::dvec3(0.0);
+  ensure_sun(scene).illuminance_rgb = glm::dvec3(0.0);
   scene.medium->g = 0.0;
   ReferenceSettings settings;
   settings.lights = {{.position_in_world = {8.0, 3.0, 1.0}, .luminous_intensity_rgb = kLux}};
@@ -310,11 +310,11 @@ TEST(ShaftReference, DiscOfTheSunSoftensEdgesWithinTheReportedError) {
   // the edge lies where the direction's slope z / x says; a strip of the disc at angle a has weight 2 sqrt(r^2 - a^2).
   SceneState scene = hazy(0.3);
   scene.medium->g = 0.0;
-  scene.sun.angular_radius_rad = 0.05;
+  ensure_sun(scene).angular_radius_rad = 0.05;
   Mesh plate;
   add_plate(plate, {-90.0F, -90.0F}, {10.0F, 90.0F}, 5.0F);
   scene.instances.push_back(place(model_of(plate)));
-  const double r = scene.sun.angular_radius_rad;
+  const double r = sun_of(scene).angular_radius_rad;
   const auto strip = [&](double u) {  // a = r sin u, so that the weight is smooth
     const double edge = 10.0 - 4.0 / std::tan(kPi / 4.0 + r * std::sin(u));
     return 2.0 * std::cos(u) * std::cos(u) / kPi * (std::exp(-0.3 * edge) - std::exp(-0.3 * 8.0));
@@ -328,7 +328,7 @@ TEST(ShaftReference, DiscOfTheSunSoftensEdgesWithinTheReportedError) {
 
 TEST(ShaftReference, TracedSkyIsTheOpenSkyLessWhatIsHidden) {
   SceneState scene = hazy(0.05);
-  scene.sun.illuminance_rgb = glm::dvec3(0.0);
+  ensure_sun(scene).illuminance_rgb = glm::dvec3(0.0);
   scene.medium->g = 0.0;
   scene.sky_light.radiance_sh[0] = glm::dvec3(1000.0 * std::sqrt(4.0 * kPi));  // 1000 cd/m2 from everywhere
   const double all = 1000.0 * 0.9 * (1.0 - std::exp(-1.0));

@@ -10,7 +10,7 @@ namespace {
 glm::dvec3 sun_in_px(const ShaftInputs& inputs, const glm::ivec2& picture_px) {
   const View& view = inputs.view;
   const glm::dvec3 in_camera =
-      glm::transpose(view.world_from_camera) * glm::normalize(inputs.scene.sun.direction_in_world);
+      glm::transpose(view.world_from_camera) * glm::normalize(sun_of(inputs.scene).direction_in_world);
   const glm::dvec2 scale = glm::dvec2(picture_px) / glm::dvec2(view.width, view.height);
   const glm::dvec2 px = scale * (glm::dvec2(in_camera) * view.focal_px + in_camera.z * view.centre_px);
   const glm::dvec3 homogeneous(px, in_camera.z);

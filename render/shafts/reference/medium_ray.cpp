@@ -100,9 +100,10 @@ double MediumRay::view_depth(double t_m) const {
 
 Quadrature MediumRay::fraction(const LitSegment& segment) const {
   const double before = view_depth(segment.from_m);
-  const double across = reference_medium_.density ? view_depth(segment.to_m) - before
-                                     : optical_depth(reference_medium_.medium, at(segment.from_m), ray_.direction_in_world,
-                                                     segment.to_m - segment.from_m);
+  const double across = reference_medium_.density
+                            ? view_depth(segment.to_m) - before
+                            : optical_depth(reference_medium_.medium, at(segment.from_m), ray_.direction_in_world,
+                                            segment.to_m - segment.from_m);
   return {-std::exp(-before) * std::expm1(-across), 0.0};
 }
 
@@ -152,8 +153,8 @@ Quadrature MediumRay::point_fraction(const LitSegment& segment, const glm::dvec3
     const double depth = view_depth(t) + reference_medium_.depth(point, direction, way);
     if (depth > kDeepest) return 0.0;
     const double cosine = glm::dot(direction, ray_.direction_in_world);
-    return reference_medium_.extinction(point) * std::exp(-depth) * phase(reference_medium_.medium.phase_function, reference_medium_.medium.g, cosine) /
-           distance;
+    return reference_medium_.extinction(point) * std::exp(-depth) *
+           phase(reference_medium_.medium.phase_function, reference_medium_.medium.g, cosine) / distance;
   };
   const double to = std::isinf(segment.to_m) ? 0.5 * std::numbers::pi * (1.0 - 1e-15) : angle(segment.to_m);
   return integrate(value, angle(segment.from_m), to, kRelative);

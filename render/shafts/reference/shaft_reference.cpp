@@ -68,9 +68,13 @@ class HarmonicSky : public SkyModel {
 }  // namespace
 
 ShaftReference::ShaftReference(const SceneState& scene, const ReferenceSettings& settings)
-    : scene_(scene), settings_(settings), reference_medium_{*scene.medium, settings.density}, occluders_(scene.instances) {
-  scene_.sun.direction_in_world = glm::normalize(scene_.sun.direction_in_world);
-  scene_.sun.illuminance_rgb *= scene.medium->shaft_gain;
+    : scene_(scene),
+      settings_(settings),
+      reference_medium_{*scene.medium, settings.density},
+      occluders_(scene.instances) {
+  Sun& sun = ensure_sun(scene_);
+  sun.direction_in_world = glm::normalize(sun.direction_in_world);
+  sun.illuminance_rgb *= scene.medium->shaft_gain;
   if (settings_.sky != ReferenceSky::Traced) return;
   sky_ = sky_samples(settings_.max_error);
   coarse_sky_ = sky_samples(4.0 * settings_.max_error);
@@ -114,7 +118,7 @@ glm::dvec3 ShaftReference::sun_from(const glm::dvec3& direction, const ViewRay& 
   const Medium& medium = reference_medium_.medium;
   const double scale =
       medium.albedo * phase(medium.phase_function, medium.g, glm::dot(direction, ray.direction_in_world));
-  const glm::dvec3 light = scene_.sun.illuminance_rgb * scale;
+  const glm::dvec3 light = sun_of(scene_).illuminance_rgb * scale;
   glm::dvec3 sum(0.0);
   for (const LitSegment& lit : ShadowSheet(occluders_).lit(ray, {direction, true}, segment.from_m, segment.to_m)) {
     const Quadrature fraction = path.sunlit_fraction(lit, direction);
@@ -127,7 +131,7 @@ glm::dvec3 ShaftReference::sun_from(const glm::dvec3& direction, const ViewRay& 
 // The mean over the disc, from twice as many directions each time until two means agree.
 void ShaftReference::sun_light(const ViewRay& ray, const MediumRay& path, const Segment& segment,
                                ReferenceLight& out) const {
-  const Sun& sun = scene_.sun;
+  const Sun& sun = sun_of(scene_);
   if (dark(sun.illuminance_rgb)) return;
   if (sun.angular_radius_rad <= 0.0) {
     out.luminance_rgb += sun_from(sun.direction_in_world, ray, path, segment, out.error_rgb);

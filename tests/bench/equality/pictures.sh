@@ -26,6 +26,7 @@ techniques() {
 }
 bench_scenes() {
   local scene name technique setting size
+  [ -f outputs/bench/scenes/room.yaml ] || return # the generator is missing or failed: named already
   for scene in outputs/bench/scenes/*.yaml; do
     name=$(basename "$scene" .yaml)
     spawn prints "words/explain/$name.txt" skyshaft explain --scene "$scene"

@@ -2,17 +2,17 @@
 
 #include <chrono>
 #include <glm/vec3.hpp>
-#include <ostream>
+#include <string>
 #include <vector>
 
 #include "render/sky/sky_model.h"
 #include "render/sun/sun.h"
 
-namespace app {
+namespace render {
 
 // A plane that light falls on: where it faces, clockwise from north, and how far it leans from level (90 degrees: a
 // wall).
-struct Plane {
+struct LitPlane {
   double azimuth_rad = 0.0;
   double tilt_rad = 0.0;
 
@@ -21,14 +21,14 @@ struct Plane {
 
 // A stretch of the sun's way and what is asked of it.
 struct AverageRequest {
-  render::Place place;
-  render::UtcTime first;
-  render::UtcTime last;
+  Place place;
+  UtcTime first;
+  UtcTime last;
   std::chrono::microseconds step{0};  // above 0
-  render::SunTier tier = render::SunTier::Precise;
-  render::Weather weather;
-  render::SkyOptions sky;
-  Plane plane;
+  SunTier tier = SunTier::Precise;
+  Weather weather;
+  SkyOptions sky;
+  LitPlane plane;
   double bin_deg = 15.0;  // divides 90
 };
 
@@ -50,15 +50,11 @@ struct AverageLight {
   std::vector<DirectionBin> bins;       // rows of azimuth from north clockwise, the lowest row first
   glm::dvec3 sky_illuminance_rgb{0.0};  // lux of the plane; the bins' parts sum to it
   glm::dvec3 sun_illuminance_rgb{0.0};
+  std::vector<std::string> beyond_range;  // what beyond_range() says of any of the instants, each once
 };
 
 // Mean over time, by the trapezoid rule over the instants from first to last: the average solution over a trajectory
-// of the natural-light paper, section 3.1.
+// of the natural-light paper, section 3.1. Throws as daylight() does.
 AverageLight average_light(const AverageRequest& request);
 
-// Text: the totals and the ten bins that give most. CSV: every bin. JSON: both.
-void write_average_text(std::ostream& out, const AverageLight& light);
-void write_average_csv(std::ostream& out, const AverageLight& light);
-void write_average_json(std::ostream& out, const AverageLight& light);
-
-}  // namespace app
+}  // namespace render

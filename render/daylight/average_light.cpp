@@ -1,14 +1,14 @@
-#include "app/tables/sun_average.h"
+#include "render/daylight/average_light.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "app/tables/sky_request.h"
+#include "render/daylight/daylight.h"
 #include "render/sun/spectrum.h"
 
-namespace app {
+namespace render {
 namespace {
 
 constexpr double kSampleDeg = 3.75;
@@ -74,27 +74,33 @@ class Grid {
 };
 
 // Adds what sky and sun of one instant give, `weight` of the whole time.
-void add_instant(AverageLight& light, const Grid& grid, const SkyAnswer& now, double weight) {
+void add_instant(AverageLight& light, const Grid& grid, const Daylight& now, double weight) {
   const glm::dvec3 normal = light.request.plane.normal_in_world();
   grid.for_each_sample([&](std::size_t index, const glm::dvec3& direction, double solid_angle_sr) {
     const glm::dvec3 rgb = now.sky->luminance_rgb(direction) * (weight * solid_angle_sr);
     const glm::dvec3 on_plane = rgb * std::max(glm::dot(direction, normal), 0.0);
     DirectionBin& bin = light.bins[index];
     bin.sky_luminance_rgb += rgb / bin.solid_angle_sr;
-    bin.plane_sky_lux += render::luminance(on_plane);
+    bin.plane_sky_lux += luminance(on_plane);
     light.sky_illuminance_rgb += on_plane;
   });
   const glm::dvec3 sun = now.sun_illuminance_rgb * weight;
   const glm::dvec3 on_plane = sun * std::max(glm::dot(now.sun.apparent_direction_in_world(), normal), 0.0);
   DirectionBin& bin = light.bins[grid.bin_of(now.sun.azimuth_rad, now.sun.apparent_elevation_rad)];
   bin.sun_illuminance_rgb += sun;
-  bin.plane_sun_lux += render::luminance(on_plane);
+  bin.plane_sun_lux += luminance(on_plane);
   light.sun_illuminance_rgb += on_plane;
+}
+
+void note_new(const std::vector<std::string>& messages, std::vector<std::string>& noted) {
+  for (const std::string& message : messages) {
+    if (std::find(noted.begin(), noted.end(), message) == noted.end()) noted.push_back(message);
+  }
 }
 
 }  // namespace
 
-glm::dvec3 Plane::normal_in_world() const {
+glm::dvec3 LitPlane::normal_in_world() const {
   return {std::sin(azimuth_rad) * std::sin(tilt_rad), std::cos(azimuth_rad) * std::sin(tilt_rad), std::cos(tilt_rad)};
 }
 
@@ -107,17 +113,20 @@ AverageLight average_light(const AverageRequest& request) {
   const auto steps = (request.last - request.first) / request.step;
   light.instants = static_cast<int>(steps) + 1;
   light.hours = Hours(steps * request.step).count();
-  SunRequest now;
+  DaylightRequest now;
   now.place = request.place;
   now.tier = request.tier;
   now.weather = request.weather;
+  now.sky = request.sky;
   for (int i = 0; i < light.instants; ++i) {
     now.time = request.first + i * request.step;
     const bool end = i == 0 || i == light.instants - 1;
     const double weight = steps == 0 ? 1.0 : (end ? 0.5 : 1.0) / static_cast<double>(steps);
-    add_instant(light, grid, answer(now, request.sky), weight);
+    const Daylight instant = daylight(now);
+    note_new(beyond_range(instant), light.beyond_range);
+    add_instant(light, grid, instant, weight);
   }
   return light;
 }
 
-}  // namespace app
+}  // namespace render
