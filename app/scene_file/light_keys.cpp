@@ -2,6 +2,7 @@
 
 #include "app/options/words.h"
 #include "app/scene_file/scene_keys.h"
+#include "ar/photometry/exposure.h"
 #include "render/base/angles.h"
 #include "render/sky/clouds.h"
 #include "render/sky/sky_models.h"

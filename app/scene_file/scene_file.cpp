@@ -1,7 +1,5 @@
 #include "app/scene_file/scene_file.h"
 
-#include <cmath>
-
 #include "app/scene_file/scene_keys.h"
 #include "app/scene_file/sections.h"
 #include "render/base/angles.h"
