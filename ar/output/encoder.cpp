@@ -10,6 +10,7 @@ extern "C" {
 #include <algorithm>
 #include <stdexcept>
 
+#include "ar/capture/color/color.h"
 #include "ar/capture/color/pixel_format.h"
 
 namespace ar {

@@ -8,6 +8,7 @@ extern "C" {
 
 #include <stdexcept>
 
+#include "ar/capture/color/color.h"
 #include "ar/capture/color/pixel_format.h"
 
 namespace ar {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "ar/capture/color/color.h"
 #include "ar/capture/file/image_list.h"
 
 namespace ar {

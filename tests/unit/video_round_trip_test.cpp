@@ -7,6 +7,7 @@
 #include <fstream>
 #include <tuple>
 
+#include "ar/capture/color/color.h"
 #include "ar/error.h"
 #include "ar/place/place.h"
 #include "tests/testing/made_clip.h"

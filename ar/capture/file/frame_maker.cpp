@@ -10,6 +10,7 @@ extern "C" {
 
 #include <stdexcept>
 
+#include "ar/capture/color/color.h"
 #include "ar/capture/color/pixel_format.h"
 #include "ar/capture/file/metadata.h"
 #include "ar/error.h"
