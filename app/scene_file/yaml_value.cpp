@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -10,6 +9,7 @@
 
 #include "app/options/words.h"
 #include "ar/error.h"
+#include "render/base/number.h"
 
 namespace app {
 namespace {
@@ -24,15 +24,6 @@ std::string read_whole(const std::filesystem::path& file, const std::string& wha
     throw ar::InputError(fmt::format("{}: cannot be read as a {}\nname a readable YAML file", file.string(), what));
   }
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-// The whole scalar as a number, as YAML writes them; no octal, hexadecimal or sexagesimal forms.
-std::optional<double> parse_number(const std::string& text) {
-  const std::string_view digits = std::string_view(text).substr(text.starts_with('+') ? 1 : 0);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
-  return value;
 }
 
 }  // namespace
@@ -73,7 +64,7 @@ std::vector<YamlValue> YamlValue::list() const {
 double YamlValue::finite_number(const std::string& accepted) const {
   // A quoted scalar carries the tag "!": it is text even if it looks like a number.
   if (!node_.IsScalar() || node_.Tag() == "!") fail(accepted);
-  const std::optional<double> value = parse_number(node_.Scalar());
+  const std::optional<double> value = render::parse_number(node_.Scalar());
   if (!value || !std::isfinite(*value)) fail(accepted);
   return *value;
 }

@@ -4,10 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+
+#include "render/base/number.h"
 
 namespace render {
 namespace {
@@ -30,11 +31,9 @@ double read_value(const ShaftParameter& parameter, const std::string& text) {
     const auto found = std::ranges::find(parameter.choices, text);
     if (found != parameter.choices.end()) return static_cast<double>(found - parameter.choices.begin());
   } else {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool read = error == std::errc() && end == text.data() + text.size();
-    if (read && value >= parameter.low && value <= parameter.high && (!parameter.integer || value == std::floor(value)))
-      return value;
+    const std::optional<double> value = parse_number(text);
+    const bool within = value && *value >= parameter.low && *value <= parameter.high;
+    if (within && (!parameter.integer || *value == std::floor(*value))) return *value;
   }
   throw std::invalid_argument(fmt::format("{}: found '{}'; accepted: {}", parameter.name, text, parameter.accepted()));
 }

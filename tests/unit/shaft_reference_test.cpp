@@ -9,60 +9,10 @@
 #include <numbers>
 #include <random>
 
-#include "render/scene/mesh_tools.h"
+#include "tests/testing/hazy_scene.h"
 
 namespace render {
 namespace {
-
-constexpr double kEndless = std::numeric_limits<double>::infinity();
-constexpr double kPi = std::numbers::pi;
-const glm::dvec3 kLux(90000.0, 80000.0, 70000.0);
-
-// Horizontal rectangle at that height, as two triangles.
-void add_plate(Mesh& mesh, const glm::vec2& low, const glm::vec2& high, float z) {
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  const glm::vec3 up(0.0F, 0.0F, 1.0F);
-  const glm::vec4 east(1.0F, 0.0F, 0.0F, 1.0F);
-  mesh.vertices.push_back({{low.x, low.y, z}, up, east, {0.0F, 1.0F}});
-  mesh.vertices.push_back({{high.x, low.y, z}, up, east, {1.0F, 1.0F}});
-  mesh.vertices.push_back({{high.x, high.y, z}, up, east, {1.0F, 0.0F}});
-  mesh.vertices.push_back({{low.x, high.y, z}, up, east, {0.0F, 0.0F}});
-  for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + i);
-}
-
-Model model_of(Mesh mesh, const Material& material = {}) {
-  Model model;
-  model.meshes.push_back(std::move(mesh));
-  model.materials.push_back(material);
-  update_bounds(model);
-  return model;
-}
-
-Instance place(Model model, const glm::dvec3& at = glm::dvec3(0.0)) {
-  return {.name = "",
-          .model = std::make_shared<const Model>(std::move(model)),
-          .world_from_model = place_model(at, 0.0, 1.0)};
-}
-
-// Sun in the east, 45 degrees high, in a medium without bounds; no sky.
-SceneState hazy(double extinction_per_m) {
-  SceneState scene;
-  ensure_sun(scene) = {.direction_in_world = {std::sqrt(0.5), 0.0, std::sqrt(0.5)}, .illuminance_rgb = kLux};
-  scene.medium = Medium{.extinction_per_m = extinction_per_m, .albedo = 0.9, .g = 0.4};
-  return scene;
-}
-
-glm::dvec3 sun_scale(const SceneState& scene, const ViewRay& ray) {
-  return kLux * (scene.medium->albedo * phase(scene.medium->phase_function, scene.medium->g,
-                                              glm::dot(ray.direction_in_world, sun_of(scene).direction_in_world)));
-}
-
-// The issue's own figure for all closed forms.
-void expect_same(const glm::dvec3& found, const glm::dvec3& expected, double relative = 1e-6) {
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i] / expected[i], 1.0, relative) << found[i] << " for " << expected[i];
-}
-
-const ViewRay kEastward{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}};
 
 TEST(ShaftReference, WithoutOccludersIsTheClosedForm) {
   const SceneState scene = hazy(0.03);
@@ -341,14 +291,6 @@ TEST(ShaftReference, TracedSkyIsTheOpenSkyLessWhatIsHidden) {
   scene.instances.push_back(place(model_of(ceiling)));
   const ReferenceLight half = ShaftReference(scene, {.max_error = 0.01}).along(kEastward, 20.0);
   expect_same(half.luminance_rgb, glm::dvec3(0.5 * all), 1e-3);
-}
-
-TEST(Quadrature, ReportsAnErrorThatBoundsItsOwn) {
-  const Quadrature sine = integrate([](double x) { return std::sin(x); }, 0.0, kPi);
-  EXPECT_NEAR(sine.value, 2.0, 1e-14);
-  const Quadrature root = integrate([](double x) { return std::sqrt(x); }, 0.0, 1.0, 1e-6);
-  EXPECT_LE(std::abs(root.value - 2.0 / 3.0), root.error);
-  EXPECT_LT(root.error, 2e-6);
 }
 
 }  // namespace
