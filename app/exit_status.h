@@ -2,7 +2,7 @@
 
 namespace app {
 
-// Exit statuses of the program (DESIGN.md section 8).
+// Exit statuses of the program (docs/architecture.md, "Errors and exit status").
 enum ExitStatus : int {
   kDone = 0,
   kFailed = 1,

@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 #include <vector>
 
 #include "app/error.h"
 #include "ar/track/detector.h"
 #include "ar/track/tag_face.h"
+#include "render/base/number.h"
 
 namespace app {
 namespace {
@@ -38,10 +38,16 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
   return parts;
 }
 
-template <typename Number>
-bool parse(const std::string& text, Number& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
+bool parse(const std::string& text, int& value) {
+  const auto read = render::parse_count<int>(text);
+  value = read.value_or(0);
+  return read.has_value();
+}
+
+bool parse(const std::string& text, double& value) {
+  const auto read = render::parse_number(text);
+  value = read.value_or(0.0);
+  return read.has_value();
 }
 
 std::string check_family(const std::string& family) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "calib/views/observation.h"
+#include "calib/boards/observation.h"
 
 namespace app {
 

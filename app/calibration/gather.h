@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "calib/boards/board.h"
-#include "calib/views/observation.h"
+#include "calib/boards/observation.h"
 
 namespace app {
 
@@ -19,7 +19,7 @@ struct Gathered {
   calib::Observations observations;  // with the board in them
   int pictures = 0;                  // looked at
   int with_board = 0;
-  bool interrupted = false;  // by a signal; the rest was not looked at, and the sightings are not filled in
+  bool interrupted = false;  // by a signal; the rest was not looked at, and the observations are not filled in
 };
 
 // Finds the board in all inputs. Pictures all count; of each recording the frames that calib::choose_views() picks.

@@ -9,6 +9,7 @@
 
 #include "app/calibration/gather_window.h"
 #include "app/pipeline/interrupt.h"
+#include "ar/capture/devices/open_live_source.h"
 #include "ar/error.h"
 #include "ar/track/grey.h"
 #include "calib/boards/board_finder.h"

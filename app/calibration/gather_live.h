@@ -14,7 +14,7 @@ struct LiveGatherOptions {
   std::string source;  // as ar::open_live_source() reads it
   ar::LiveRequest request;
   FeedOptions feed;
-  bool headless = false;  // what happens is told on standard error instead of in a window
+  bool headless = false;  // what happens is reported on standard error instead of in a window
   int most_views = 40;
 };
 

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <set>
 
+#include "ar/capture/file/open_source.h"
 #include "ar/error.h"
 
 namespace app {

@@ -17,6 +17,7 @@
 #include "app/cmd/commands.h"
 #include "app/error.h"
 #include "app/exit_status.h"
+#include "app/options/picture_size.h"
 #include "app/process/output_files.h"
 #include "ar/error.h"
 #include "ar/track/lens.h"
@@ -109,13 +110,7 @@ int convert(const CameraArguments& arguments) {
 
 int scale(const CameraArguments& arguments) {
   check_may_write(arguments.output, arguments.overwrite);
-  int width = 0;
-  int height = 0;
-  char end = 0;
-  if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &width, &height, &end) != 2 || width < 1 || height < 1) {
-    throw UsageError(
-        fmt::format("--size: '{}' is no size\naccepted: WIDTHxHEIGHT in px, such as 1280x720", arguments.size));
-  }
+  const auto [width, height] = parse_picture_size("--size", arguments.size);
   CameraFile file = read(arguments.camera);
   const double factor = static_cast<double>(width) / file.camera.width;
   file.camera = ar::scaled(file.camera, width, height);

@@ -16,7 +16,7 @@
 #include "app/error.h"
 #include "app/process/output_files.h"
 #include "app/tables/detection_table.h"
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 #include "calib/files/camera_file.h"
 
 namespace app {

@@ -25,19 +25,27 @@ void print_instances(const render::SceneState& state) {
 void print_plan(const render::Plan& plan) {
   std::cout << "passes\n";
   for (const render::Pass& pass : plan.passes) {
-    std::cout << fmt::format("  {:<10} {}\n             because {}\n", pass.name, pass.settings, pass.reason);
+    std::cout << fmt::format("  {:<12} {}\n               because {}\n", pass.feature->name, pass.settings,
+                             pass.reason);
   }
   if (plan.omitted.empty()) return;
   std::cout << "left out\n";
   for (const render::Omission& omission : plan.omitted) {
-    std::cout << fmt::format("  {:<10} because {}\n", omission.name, omission.reason);
+    std::cout << fmt::format("  {:<12} because {}\n", omission.feature->name, omission.reason);
   }
+}
+
+// A scene with a view and no tags is one for stills.
+render::Target target_of(const SceneFile& scene) {
+  return scene.view && !scene.tags ? render::Target::Still : render::Target::Video;
 }
 
 int run(const StillArguments& arguments) {
   const Still still = make_still(arguments);
+  const render::Target target = target_of(still.scene);
+  std::cout << (target == render::Target::Still ? "a still of the scene's view\n" : "a frame of a video\n");
   print_instances(still.state);
-  print_plan(render::make_plan(still.state, still.scene.quality));
+  print_plan(render::make_plan(still.state, still.scene.quality, target));
   return kDone;
 }
 

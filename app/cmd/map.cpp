@@ -27,9 +27,12 @@
 #include "ar/track/camera.h"
 #include "calib/files/camera_file.h"
 #include "calib/tagmap/tag_mapper.h"
+#include "render/base/number.h"
 
 namespace app {
 namespace {
+
+constexpr int kLargestTagId = 99999;
 
 struct MapArguments {
   std::vector<std::string> inputs;
@@ -51,12 +54,11 @@ calib::MapperOptions mapper_options(const MapArguments& arguments) {
   options.tag_size_m = metres_from(arguments.size);
   for (const std::string& own : arguments.own_sizes) {
     const std::size_t colon = own.find(':');
-    const std::string id = own.substr(0, colon);
-    if (colon == std::string::npos || id.empty() || id.size() > 5 ||
-        id.find_first_not_of("0123456789") != std::string::npos) {
+    const auto id = render::parse_count<int>(own.substr(0, colon));
+    if (colon == std::string::npos || !id || *id > kLargestTagId) {
       throw UsageError(fmt::format("--tag-size: '{}' is no ID:SIZE\nexample: --tag-size 7:250mm", own));
     }
-    options.own_sizes_m[std::stoi(id)] = metres_from(own.substr(colon + 1));
+    options.own_sizes_m[*id] = metres_from(own.substr(colon + 1));
   }
   if (arguments.origin >= 0) options.origin = arguments.origin;
   return options;

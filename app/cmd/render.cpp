@@ -13,11 +13,12 @@
 #include "app/cmd/commands.h"
 #include "app/error.h"
 #include "app/exit_status.h"
-#include "app/median.h"
 #include "app/options/gl_device.h"
 #include "app/process/output_files.h"
 #include "app/process/still.h"
 #include "ar/error.h"
+#include "render/base/median.h"
+#include "render/plan/features/features.h"
 #include "render/plan/renderer.h"
 
 namespace app {
@@ -78,8 +79,8 @@ Timing time_frames(render::Renderer& renderer, const render::SceneState& state, 
     }
   }
   renderer.enable_timing(false);
-  Timing timing{.frame_median_ms = median(frame_ms), .pass_median_ms = {}};
-  for (const std::string& name : order) timing.pass_median_ms.emplace_back(name, median(pass_ms[name]));
+  Timing timing{.frame_median_ms = render::median(frame_ms, 0.0), .pass_median_ms = {}};
+  for (const std::string& name : order) timing.pass_median_ms.emplace_back(name, render::median(pass_ms[name], 0.0));
   return timing;
 }
 
@@ -117,7 +118,7 @@ int run(const RenderArguments& arguments) {
   }
   render::gl::Context context(arguments.egl_device);
   render::Renderer renderer(context);
-  const render::Plan plan = render::make_plan(still.state, still.scene.quality);
+  const render::Plan plan = render::make_plan(still.state, still.scene.quality, render::Target::Still);
   nlohmann::ordered_json report = nlohmann::ordered_json::object();
   if (!arguments.output.empty()) write_still(renderer, still.state, plan, arguments.output);
   if (arguments.frames > 0) {
@@ -127,7 +128,7 @@ int run(const RenderArguments& arguments) {
   }
   if (!arguments.json) return kDone;
   report["size"] = arguments.still.size;
-  if (plan.has(render::PassKind::Shafts)) report["shafts"] = render::to_text(plan.shafts);
+  if (plan.has(render::feature::kShafts)) report["shafts"] = render::to_text(plan.quality.shafts);
   if (const auto error = renderer.shafts_error()) {
     report["shafts_error"] = {{"mean_relative", error->mean}, {"largest_relative", error->largest}};
   }

@@ -68,7 +68,7 @@ std::vector<ViewRequest> views_of(const SkyArguments& arguments) {
   return views;
 }
 
-void print_patches(std::ostream& out, const SkyAnswer& answer, const SkyArguments& arguments) {
+void print_patches(std::ostream& out, const render::Daylight& answer, const SkyArguments& arguments) {
   render::PatchOptions options;
   options.tessellation = arguments.patches;
   options.max_error = arguments.max_error;
@@ -92,7 +92,7 @@ int run(const SkyArguments& arguments) try {
     run_sky_batch(in, arguments.batch, std::cout, options);
     return 0;
   }
-  const SkyAnswer sky = answer(sun_request(arguments), options);
+  const render::Daylight sky = answer(sun_request(arguments), options);
   if (!arguments.out.empty()) {
     if (!arguments.overwrite && std::filesystem::exists(arguments.out)) {
       throw std::runtime_error(arguments.out + ": exists already\nname another file, or give --overwrite");

@@ -16,7 +16,8 @@
 #include "app/options/sky.h"
 #include "app/process/output_files.h"
 #include "app/report/sun_path_svg.h"
-#include "app/tables/sun_average.h"
+#include "app/tables/sky_request.h"
+#include "app/tables/sun_average_table.h"
 #include "app/tables/sun_table.h"
 #include "ar/error.h"
 #include "ar/place/place.h"
@@ -81,7 +82,7 @@ int run_batch(const SunArguments& arguments) {
   return 0;
 }
 
-Plane plane_of(const SunArguments& arguments) {
+render::LitPlane plane_of(const SunArguments& arguments) {
   if (arguments.plane_deg.empty()) return {};
   if (!(arguments.plane_deg[1] >= 0.0 && arguments.plane_deg[1] <= 180.0)) {
     throw UsageError(fmt::format("--plane leans {} degrees\nexpected AZIMUTH,TILT with a tilt of 0 (level) to 180",
@@ -95,15 +96,16 @@ int run_average(const SunArguments& arguments, const render::Place& place, rende
   if (std::abs(rows - std::round(rows)) > 1e-9) {
     throw UsageError(fmt::format("--resolution of {} degrees does not divide 90", arguments.bin_deg));
   }
-  const AverageLight light = average_light({.place = place,
-                                            .first = first,
-                                            .last = last_of(arguments, first, kMostSkies),
-                                            .step = step_of(arguments),
-                                            .tier = arguments.table.tier,
-                                            .weather = arguments.table.weather,
-                                            .sky = options_of(arguments.model),
-                                            .plane = plane_of(arguments),
-                                            .bin_deg = arguments.bin_deg});
+  const render::AverageLight light = render::average_light({.place = place,
+                                                            .first = first,
+                                                            .last = last_of(arguments, first, kMostSkies),
+                                                            .step = step_of(arguments),
+                                                            .tier = arguments.table.tier,
+                                                            .weather = arguments.table.weather,
+                                                            .sky = options_of(arguments.model),
+                                                            .plane = plane_of(arguments),
+                                                            .bin_deg = arguments.bin_deg});
+  warn_once(light.beyond_range);
   if (arguments.format == "csv") write_average_csv(std::cout, light);
   if (arguments.format == "json") write_average_json(std::cout, light);
   if (arguments.format == "text") write_average_text(std::cout, light);

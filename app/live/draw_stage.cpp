@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <glm/geometric.hpp>
 
 #include "app/live/held_mark.h"
+#include "app/live/warm_up_view.h"
 #include "app/process/bridge.h"
 #include "render/composite/composite_pass.h"
 
@@ -23,42 +23,6 @@ constexpr double kHopeless = 2.5;
 // The sun moves a twelfth of its own width in it.
 constexpr double kLightStepS = 10.0;
 constexpr int kMediumGrey = 110;
-
-struct Bounds {
-  glm::dvec3 low{1e9};
-  glm::dvec3 high{-1e9};
-};
-
-Bounds bounds_of_virtual_instances(const SceneFile& scene) {
-  Bounds bounds;
-  for (const SceneInstance& instance : scene.instances) {
-    if (instance.real) continue;
-    const glm::dvec3 half = 0.5 * instance.scale * glm::dvec3(instance.model->bounds_max - instance.model->bounds_min);
-    bounds.low = glm::min(bounds.low, instance.position_in_world - half);
-    bounds.high = glm::max(bounds.high, instance.position_in_world + half);
-  }
-  if (bounds.low.x > bounds.high.x) return {glm::dvec3(-1.0), glm::dvec3(1.0)};
-  return bounds;
-}
-
-// From the south and a little above, far enough to have the virtual things fill most of the picture.
-ar::Rigid3 pose_with_all_in_view(const SceneFile& scene) {
-  const Bounds bounds = bounds_of_virtual_instances(scene);
-  const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high);
-  const double distance = std::max(1.0, 1.2 * glm::length(bounds.high - bounds.low));
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(0.0, 1.0, -0.3));
-  const glm::dvec3 right(1.0, 0.0, 0.0);
-  const glm::dvec3 down = glm::cross(forward, right);
-  const glm::dvec3 eye = middle - distance * forward;
-  ar::Rigid3 pose;
-  for (int row = 0; row < 3; ++row) {
-    pose.rotation(row, 0) = right[row];
-    pose.rotation(row, 1) = down[row];
-    pose.rotation(row, 2) = forward[row];
-    pose.translation[row] = eye[row];
-  }
-  return pose;
-}
 
 ar::Frame as_source(const ar::OutputFrame& picture) {
   ar::Frame frame;
@@ -95,8 +59,8 @@ DrawStage::DrawStage(std::optional<int> egl_device, const ar::CameraModel& camer
                 .quality = scene_.quality,
                 .target_ms = target_ms},
       renderer_(egl_device, camera, SceneStateBuilder(scene_, conditions), scene_.quality),
-      ladder_(quality_ladder(scene_.quality)),
-      governor_(ladder_.size(), target_ms) {
+      presets_(quality_presets(scene_.quality)),
+      governor_(presets_.size(), target_ms) {
   renderer_.set_light_step(kLightStepS);
 }
 
@@ -107,7 +71,7 @@ void DrawStage::apply(const LiveSettings& settings) {
   scene.quality = settings.quality;
   renderer_.set_scene(SceneStateBuilder(scene, settings.conditions));
   scene_ = std::move(scene);
-  ladder_ = quality_ladder(scene_.quality);
+  presets_ = quality_presets(scene_.quality);
   if (settings.target_ms != settings_.target_ms) governor_.set_target_ms(settings.target_ms);
   settings_ = settings;
   frames_ = 0;  // the exposure is chosen anew
@@ -132,9 +96,9 @@ TrackedFrame DrawStage::imagined_frame() {
 void DrawStage::warm_up() {
   renderer_.set_exposure(1.0 / 20000.0);
   constexpr int kRounds = 3;  // the first makes the shaders
-  std::size_t fits = ladder_.size() - 1;
-  for (std::size_t level = governor_.target_ms() > 0.0 ? ladder_.size() : 1; level-- > 0;) {
-    renderer_.set_quality(ladder_.at(level));
+  std::size_t fits = presets_.size() - 1;
+  for (std::size_t level = governor_.target_ms() > 0.0 ? presets_.size() : 1; level-- > 0;) {
+    renderer_.set_quality(presets_.at(level));
     double quickest_ms = 1e9;
     for (int round = 0; round < kRounds; ++round) {
       const auto start = LiveClock::now();
@@ -145,25 +109,26 @@ void DrawStage::warm_up() {
     if (quickest_ms <= governor_.target_ms()) fits = level;
     if (quickest_ms > kHopeless * governor_.target_ms()) break;  // what costs more is out of reach
   }
-  governor_ = Governor(ladder_.size(), governor_.target_ms(), governor_.target_ms() > 0.0 ? fits : 0);
+  governor_ = Governor(presets_.size(), governor_.target_ms(), governor_.target_ms() > 0.0 ? fits : 0);
   renderer_.set_quality(quality());
 }
 
-ExposureChoice DrawStage::exposure_of(const ar::Frame& frame) {
+ar::ExposureChoice DrawStage::exposure_of(const ar::Frame& frame) {
   if (settings_.exposure_source == ExposureSource::Manual) return {settings_.manual_exposure, "the panel"};
-  const bool told = settings_.exposure_source == ExposureSource::Told;
+  const bool given = settings_.exposure_source == ExposureSource::Given;
   ar::Frame plain;
   plain.format = frame.format;
   plain.plane = frame.plane;
   plain.stride_bytes = frame.stride_bytes;
-  if (told) plain.exposure = frame.exposure;
-  return ::app::choose_exposure(told ? scene_.exposure : std::nullopt, renderer_.light_at(elapsed_s_), {&plain});
+  if (given) plain.exposure = frame.exposure;
+  return ar::choose_exposure(given ? scene_.exposure : std::nullopt, scene_light_of(renderer_.light_at(elapsed_s_)),
+                             {&plain});
 }
 
 void DrawStage::choose_exposure(const ar::Frame& frame) {
   const bool anew = frames_++ == 0;
   if (!anew && frames_ % kEstimateEvery != 0) return;
-  const ExposureChoice now = exposure_of(frame);
+  const ar::ExposureChoice now = exposure_of(frame);
   if (anew) {
     if (exposure_.origin.empty()) {
       log_light(renderer_.light_at(elapsed_s_));

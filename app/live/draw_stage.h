@@ -5,10 +5,10 @@
 #include "app/live/governor.h"
 #include "app/live/live_frame.h"
 #include "app/live/live_settings.h"
-#include "app/process/exposure.h"
 #include "app/process/frame_renderer.h"
 #include "app/scene_file/scene_file.h"
 #include "ar/output/frame_pool.h"
+#include "ar/photometry/exposure.h"
 
 namespace app {
 
@@ -43,13 +43,13 @@ class DrawStage {
   double elapsed_s() const { return elapsed_s_; }
 
   const FrameRenderer& renderer() const { return renderer_; }
-  const ExposureChoice& exposure() const { return exposure_; }
+  const ar::ExposureChoice& exposure() const { return exposure_; }
   const Governor& governor() const { return governor_; }
-  const render::Quality& quality() const { return ladder_.at(governor_.level()); }
+  const render::Quality& quality() const { return presets_.at(governor_.level()); }
 
  private:
   TrackedFrame imagined_frame();
-  ExposureChoice exposure_of(const ar::Frame& frame);
+  ar::ExposureChoice exposure_of(const ar::Frame& frame);
   void choose_exposure(const ar::Frame& frame);
 
   SceneFile scene_;
@@ -57,9 +57,9 @@ class DrawStage {
   const ar::PixelFormat format_;
   LiveSettings settings_;
   FrameRenderer renderer_;
-  std::vector<render::Quality> ladder_;
+  std::vector<render::Quality> presets_;
   Governor governor_;
-  ExposureChoice exposure_;
+  ar::ExposureChoice exposure_;
   std::optional<double> start_s_;  // time of the first frame
   double elapsed_s_ = 0.0;
   std::int64_t frames_ = 0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{100};
 
-// Sleeps in short steps, so that a stop is heeded at once.
+// Sleeps in short steps, so that a stop takes effect at once.
 void sleep_until(LiveClock::time_point until, const std::stop_token& stop) {
   while (!stop.stop_requested() && LiveClock::now() < until) {
     std::this_thread::sleep_until(std::min(until, LiveClock::now() + std::chrono::milliseconds(20)));

@@ -16,17 +16,17 @@ constexpr double kNewest = 0.2;
 
 }  // namespace
 
-std::vector<render::Quality> quality_ladder(const render::Quality& asked) {
-  std::vector<render::Quality> ladder{asked};
+std::vector<render::Quality> quality_presets(const render::Quality& asked) {
+  std::vector<render::Quality> presets{asked};
   render::Quality next = asked;
   next.anti_alias = false;
   next.quick_shadows = true;
-  ladder.push_back(next);
+  presets.push_back(next);
   for (const double part : {0.7, 0.5, 0.35, 0.25}) {
     next.render_scale = asked.render_scale * part;
-    ladder.push_back(next);
+    presets.push_back(next);
   }
-  return ladder;
+  return presets;
 }
 
 Governor::Governor(std::size_t levels, double target_ms, std::size_t level)

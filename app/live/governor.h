@@ -9,7 +9,7 @@ namespace app {
 
 // What is given up first when there is too little time: settings from what was asked for to the cheapest that still
 // shows all there is. The first is `asked`.
-std::vector<render::Quality> quality_ladder(const render::Quality& asked);
+std::vector<render::Quality> quality_presets(const render::Quality& asked);
 
 // Keeps the time that a frame's drawing takes below a target by choosing among settings, cheapest last. Goes down as
 // soon as recent frames are too slow, up again only after a while with time to spare, and waits twice as long after

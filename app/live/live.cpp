@@ -9,6 +9,7 @@
 #include "app/live/device_output.h"
 #include "app/live/draw_stage.h"
 #include "app/live/live_report.h"
+#include "app/live/live_window.h"
 #include "app/live/recorder.h"
 #include "app/live/still_writer.h"
 #include "app/live/tag_states.h"
@@ -17,8 +18,8 @@
 #include "app/pipeline/progress.h"
 #include "app/process/output_files.h"
 #include "app/process/tracked_scene.h"
-#include "app/window/window.h"
-#include "ar/capture/live/camera_list.h"
+#include "ar/capture/devices/camera_list.h"
+#include "ar/capture/devices/open_live_source.h"
 #include "ar/error.h"
 #include "ar/place/gpsd.h"
 

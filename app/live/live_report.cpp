@@ -36,7 +36,7 @@ Json quality_json(const DrawStage& drawing) {
           {"target_ms", drawing.governor().target_ms()},
           {"render_scale", quality.render_scale},
           {"anti_alias", quality.anti_alias},
-          {"shafts", render::to_text(drawing.renderer().last_plan().shafts)}};
+          {"shafts", render::to_text(drawing.renderer().last_plan().quality.shafts)}};
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace app {
 
-enum class ExposureSource { Told, Estimate, Manual };  // Told: by the scene, else by the camera
+enum class ExposureSource { Given, Estimate, Manual };  // Given: by the scene, else by the camera
 
 // What can be changed while `live` runs.
 struct LiveSettings {
@@ -17,7 +17,7 @@ struct LiveSettings {
   std::optional<render::Medium> medium;
   render::Quality quality;  // the best that is wanted
   double target_ms = 0.0;   // 0: full quality, however long it takes
-  ExposureSource exposure_source = ExposureSource::Told;
+  ExposureSource exposure_source = ExposureSource::Given;
   double manual_exposure = 1.0 / 20000.0;  // display-linear per cd/m2
 };
 

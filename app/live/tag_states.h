@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/window/window.h"
+#include "app/live/live_window.h"
 #include "ar/track/camera.h"
 #include "ar/track/tag_map.h"
 #include "ar/track/tracker.h"

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <string_view>
 
 #include "app/error.h"
+#include "render/base/number.h"
 
 namespace app {
 namespace {
@@ -23,10 +23,9 @@ FrameRange parse_frame_range(const std::string& text) {
   if (colon == std::string::npos) refuse(text);
   const auto parse = [&text](std::string_view digits, std::int64_t otherwise) {
     if (digits.empty()) return otherwise;
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size() || value < 0) refuse(text);
-    return value;
+    const auto value = render::parse_count<std::int64_t>(digits);
+    if (!value) refuse(text);
+    return *value;
   };
   const std::string_view view(text);
   FrameRange range;

@@ -4,7 +4,10 @@
 #include <map>
 #include <numbers>
 
+#include "app/options/words.h"
 #include "ar/place/place.h"
+#include "render/sky/clouds.h"
+#include "render/sky/sky_models.h"
 
 namespace app {
 
@@ -20,11 +23,7 @@ void add_turbidity_option(CLI::App& command, double& turbidity) {
 }
 
 void add_model_options(CLI::App& command, SkyModelArguments& arguments) {
-  command
-      .add_option("--model", arguments.sky.model,
-                  "perez, preetham (as published), preetham:rescaled, cie:1 to cie:15, scattering, reference, "
-                  "image:FILE, none")
-      ->capture_default_str();
+  command.add_option("--model", arguments.sky.model, render::known_sky_models())->capture_default_str();
   command
       .add_option("--bins", arguments.sky.bins,
                   "Perez coefficients: interpolated between the clearness bins, or original")
@@ -37,7 +36,7 @@ void add_model_options(CLI::App& command, SkyModelArguments& arguments) {
   command.add_option("--condition", arguments.condition, "Perez: clearness EPSILON and brightness DELTA instead")
       ->delimiter(',')
       ->expected(2);
-  command.add_option("--clouds", arguments.sky.clouds.preset, "clear, light, cloudy, overcast or night")
+  command.add_option("--clouds", arguments.sky.clouds.preset, join_or(render::cloud_preset_names()))
       ->capture_default_str();
   command.add_option("--seed", arguments.sky.clouds.seed, "Another number, other clouds")->capture_default_str();
 }

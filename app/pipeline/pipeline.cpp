@@ -6,8 +6,8 @@
 #include <numeric>
 #include <thread>
 
-#include "app/median.h"
 #include "app/pipeline/bounded_queue.h"
+#include "render/base/median.h"
 
 namespace app {
 namespace {
@@ -107,7 +107,7 @@ double StageTime::busy_s() const {
 }
 
 double StageTime::median_ms() const {
-  return median(frame_ms);
+  return render::median(frame_ms, 0.0);
 }
 
 std::vector<StageTime> run_pipeline(const Stages& stages, std::size_t depth) {

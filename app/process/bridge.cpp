@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "app/process/scene_state_builder.h"
+
 namespace app {
 namespace {
 
@@ -21,84 +23,10 @@ std::shared_ptr<const render::LensMap> make_lens_map(const ar::CameraModel& came
   return map;
 }
 
-[[noreturn]] void unknown(const char* what) {
+template <typename T>
+T known(T value, const char* what) {
+  if (value != T::Unknown) return value;
   throw std::logic_error(fmt::format("the {} of a frame is unknown when it is to be rendered", what));
-}
-
-render::ColorMatrix to_render(ar::ColorMatrix matrix) {
-  switch (matrix) {
-    case ar::ColorMatrix::Rgb:
-      return render::ColorMatrix::Rgb;
-    case ar::ColorMatrix::Bt601:
-      return render::ColorMatrix::Bt601;
-    case ar::ColorMatrix::Bt709:
-      return render::ColorMatrix::Bt709;
-    case ar::ColorMatrix::Bt2020:
-      return render::ColorMatrix::Bt2020;
-    case ar::ColorMatrix::Unknown:
-      break;
-  }
-  unknown("colour matrix");
-}
-
-render::ColorRange to_render(ar::ColorRange range) {
-  switch (range) {
-    case ar::ColorRange::Limited:
-      return render::ColorRange::Limited;
-    case ar::ColorRange::Full:
-      return render::ColorRange::Full;
-    case ar::ColorRange::Unknown:
-      break;
-  }
-  unknown("colour range");
-}
-
-render::Transfer to_render(ar::Transfer transfer) {
-  switch (transfer) {
-    case ar::Transfer::Bt709:
-      return render::Transfer::Bt709;
-    case ar::Transfer::Srgb:
-      return render::Transfer::Srgb;
-    case ar::Transfer::Linear:
-      return render::Transfer::Linear;
-    case ar::Transfer::Gamma22:
-      return render::Transfer::Gamma22;
-    case ar::Transfer::Gamma28:
-      return render::Transfer::Gamma28;
-    case ar::Transfer::Pq:
-      return render::Transfer::Pq;
-    case ar::Transfer::Hlg:
-      return render::Transfer::Hlg;
-    case ar::Transfer::Unknown:
-      break;
-  }
-  unknown("transfer function");
-}
-
-render::Chroma to_render(ar::Chroma chroma) {
-  switch (chroma) {
-    case ar::Chroma::C420:
-      return render::Chroma::C420;
-    case ar::Chroma::C422:
-      return render::Chroma::C422;
-    case ar::Chroma::C444:
-      return render::Chroma::C444;
-  }
-  unknown("chroma subsampling");
-}
-
-render::ChromaSiting to_render(ar::ChromaSiting siting) {
-  switch (siting) {
-    case ar::ChromaSiting::Left:
-      return render::ChromaSiting::Left;
-    case ar::ChromaSiting::Center:
-      return render::ChromaSiting::Center;
-    case ar::ChromaSiting::TopLeft:
-      return render::ChromaSiting::TopLeft;
-    case ar::ChromaSiting::Unknown:
-      break;
-  }
-  unknown("chroma siting");
 }
 
 }  // namespace
@@ -129,11 +57,11 @@ render::PictureFormat to_render(const ar::PixelFormat& format) {
   return {.width = format.width,
           .height = format.height,
           .bit_depth = format.bit_depth,
-          .chroma = to_render(format.chroma),
-          .siting = to_render(format.color.siting),
-          .matrix = to_render(format.color.matrix),
-          .range = to_render(format.color.range),
-          .transfer = to_render(format.color.transfer)};
+          .chroma = format.chroma,
+          .siting = known(format.color.siting, "chroma siting"),
+          .matrix = known(format.color.matrix, "colour matrix"),
+          .range = known(format.color.range, "colour range"),
+          .transfer = known(format.color.transfer, "transfer function")};
 }
 
 render::PictureView view_of(const ar::Frame& frame) {
@@ -142,6 +70,10 @@ render::PictureView view_of(const ar::Frame& frame) {
 
 render::MutablePictureView view_of(const ar::OutputFrame& frame) {
   return {to_render(frame.format), frame.plane, frame.stride_bytes};
+}
+
+ar::SceneLight scene_light_of(const render::SceneState& state) {
+  return {.horizontal_illuminance_lux = horizontal_illuminance(state), .default_exposure = state.exposure};
 }
 
 }  // namespace app

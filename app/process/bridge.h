@@ -5,6 +5,7 @@
 
 #include "ar/capture/frame.h"
 #include "ar/output/sink.h"
+#include "ar/photometry/exposure.h"
 #include "ar/track/camera.h"
 #include "ar/track/pose.h"
 #include "render/base/picture.h"
@@ -24,5 +25,8 @@ render::Camera to_render(const ar::CameraModel& camera);
 render::PictureFormat to_render(const ar::PixelFormat& format);
 render::PictureView view_of(const ar::Frame& frame);
 render::MutablePictureView view_of(const ar::OutputFrame& frame);
+
+// What the exposure is estimated by.
+ar::SceneLight scene_light_of(const render::SceneState& state);
 
 }  // namespace app

@@ -32,8 +32,8 @@ FinishedFrame FrameRenderer::render(TrackedFrame tracked, double start_s,
   state.camera = camera_;
   state.camera.world_from_camera = to_render(tracked.track.world_from_camera);
   state.exposure = exposure_;
-  plan_ = render::make_plan(state, quality_);
-  if (!plan_.has(render::PassKind::Composite)) return {std::move(frame), std::nullopt};
+  plan_ = render::make_plan(state, quality_, render::Target::Video);
+  if (plan_.passes.empty()) return {std::move(frame), std::nullopt};
   const bool timed = timing_ && rendered_++ % kTimedEvery == 0;
   renderer_.enable_timing(timed);
   ar::OutputFrame rendered = allocate();

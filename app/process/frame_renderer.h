@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/live/reservoir.h"
 #include "app/pipeline/pipeline.h"
+#include "app/pipeline/reservoir.h"
 #include "app/process/scene_state_builder.h"
 #include "ar/output/sink.h"
 #include "ar/track/camera.h"

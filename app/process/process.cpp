@@ -12,8 +12,8 @@
 #include "app/pipeline/interrupt.h"
 #include "app/pipeline/pipeline.h"
 #include "app/pipeline/progress.h"
+#include "app/process/bridge.h"
 #include "app/process/conditions.h"
-#include "app/process/exposure.h"
 #include "app/process/frame_reader.h"
 #include "app/process/frame_renderer.h"
 #include "app/process/output_files.h"
@@ -22,8 +22,9 @@
 #include "app/process/scene_state_builder.h"
 #include "app/process/tracked_scene.h"
 #include "app/scene_file/scene_file.h"
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 #include "ar/error.h"
+#include "ar/photometry/exposure.h"
 #include "ar/track/tracker.h"
 
 namespace app {
@@ -100,7 +101,8 @@ Job::Job(const ProcessOptions& options)
 void Job::choose_exposure() {
   const render::SceneState state = builder_.at(0.0);
   log_light(state);
-  const ExposureChoice choice = ::app::choose_exposure(builder_.exposure(), state, reader_.peek(kFramesForExposure));
+  const ar::ExposureChoice choice =
+      ar::choose_exposure(builder_.exposure(), scene_light_of(state), reader_.peek(kFramesForExposure));
   facts_.exposure = choice.exposure;
   facts_.exposure_origin = choice.origin;
   spdlog::info("exposure: white at {:.0f} cd/m2, from {}", 1.0 / facts_.exposure, facts_.exposure_origin);

@@ -39,7 +39,7 @@ Json passes_json(const RunFacts& facts) {
 Json plan_json(const render::Plan& plan) {
   Json list = Json::array();
   for (const render::Pass& pass : plan.passes) {
-    list.push_back({{"name", pass.name}, {"settings", pass.settings}, {"reason", pass.reason}});
+    list.push_back({{"name", pass.feature->name}, {"settings", pass.settings}, {"reason", pass.reason}});
   }
   return list;
 }
@@ -60,8 +60,8 @@ Json settings_json(const ProcessOptions& options, const RunFacts& facts) {
   return {{"codec", name_of(options.sink.codec)},
           {"crf", options.sink.crf},
           {"preset", options.sink.preset},
-          {"shafts", render::to_text(facts.plan.shafts)},
-          {"shadow_map_size", facts.plan.shadow_map_size},
+          {"shafts", render::to_text(facts.plan.quality.shafts)},
+          {"shadow_map_size", facts.plan.quality.shadow_map_size},
           {"exposure", facts.exposure},
           {"exposure_from", facts.exposure_origin}};
 }

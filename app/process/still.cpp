@@ -4,37 +4,15 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <utility>
 
 #include "app/error.h"
+#include "app/options/picture_size.h"
 #include "app/options/shafts.h"
 #include "app/process/conditions.h"
-#include "app/process/exposure.h"
 #include "app/process/scene_state_builder.h"
+#include "ar/photometry/exposure.h"
 
 namespace app {
-namespace {
-
-constexpr int kLargestSide = 16384;
-
-std::pair<int, int> parse_size(const std::string& text) {
-  int width = 0;
-  int height = 0;
-  const char* const end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, width);
-  const bool has_x = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
-  const auto second = has_x ? std::from_chars(first.ptr + 1, end, height) : first;
-  const bool in_range = width >= 1 && width <= kLargestSide && height >= 1 && height <= kLargestSide;
-  if (!has_x || second.ec != std::errc() || second.ptr != end || !in_range) {
-    throw UsageError(
-        fmt::format("--size: found '{}'; accepted: WIDTHxHEIGHT in pixels, each 1 to {}", text, kLargestSide));
-  }
-  return {width, height};
-}
-
-}  // namespace
-
 void add_still_options(CLI::App& command, StillArguments& arguments) {
   command.add_option("-s,--scene", arguments.scene, "Scene file (YAML) with a `view`")->required();
   command.add_option("--at", arguments.at,
@@ -57,7 +35,7 @@ void add_still_options(CLI::App& command, StillArguments& arguments) {
 }
 
 Still make_still(const StillArguments& arguments) {
-  const auto [width, height] = parse_size(arguments.size);
+  const auto [width, height] = parse_picture_size("--size", arguments.size);
   Still still{.scene = load_scene_file(arguments.scene), .state = {}};
   if (arguments.shaft_demand.max_error || arguments.shaft_demand.target_ms) {
     still.scene.quality.shafts = {};
@@ -70,7 +48,7 @@ Still make_still(const StillArguments& arguments) {
   still.state = builder.at(0.0);
   log_light(still.state);
   const double lux = horizontal_illuminance(still.state);
-  if (!builder.exposure() && lux > 0.0) still.state.exposure = exposure_from_mean(0.18, lux);
+  if (!builder.exposure() && lux > 0.0) still.state.exposure = ar::exposure_from_mean(0.18, lux);
   still.state.camera.width = width;
   still.state.camera.height = height;
   if (still.scene.view) still.state.camera = camera_of_view(*still.scene.view, width, height);

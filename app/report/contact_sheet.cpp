@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "ar/capture/color/color.h"
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 #include "ar/error.h"
+#include "render/base/luminance.h"
 #include "render/images/image_io.h"
 
 namespace app {
@@ -39,7 +40,8 @@ struct LumaWeights {
 
 LumaWeights weights_of(ar::ColorMatrix matrix) {
   if (matrix == ar::ColorMatrix::Bt601) return {0.299, 0.114};
-  return matrix == ar::ColorMatrix::Bt2020 ? LumaWeights{0.2627, 0.0593} : LumaWeights{0.2126, 0.0722};
+  return matrix == ar::ColorMatrix::Bt2020 ? LumaWeights{0.2627, 0.0593}
+                                           : LumaWeights{render::kRec709Red, render::kRec709Blue};
 }
 
 // The frame scaled to `width`, as a screen shows it: code values are not converted between transfer functions.

@@ -51,7 +51,7 @@ struct SceneInstance {
   bool real = false;
 };
 
-// A scene file, checked (DESIGN.md section 7). What is absent in the file is absent here.
+// A scene file, checked (docs/scene-file.md). What is absent in the file is absent here.
 struct SceneFile {
   std::filesystem::path path;
   std::optional<ar::GeoPosition> place;
@@ -69,9 +69,5 @@ struct SceneFile {
 // Reads a scene file and the models it names. Throws ar::InputError that names file, line, key, what was found and what
 // would be accepted.
 SceneFile load_scene_file(const std::filesystem::path& path);
-
-// Exposure of a camera set to that EV at ISO 100: 1.0 is what saturates, 1.2 * 2^EV cd/m2 (ISO 12232:2019, saturation
-// based speed, 78 / (0.65 * 100) = 1.2).
-double exposure_from_ev100(double ev100);
 
 }  // namespace app

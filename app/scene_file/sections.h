@@ -5,18 +5,11 @@
 
 namespace app {
 
-// The sections of a scene file, each checked on its own.
+// Parts of a scene file that other files have, too.
 ar::TagMap read_tags(const YamlValue& value);
 // The whole of a tag map file.
 ar::TagMap read_tag_map(const YamlValue& root);
-SceneSky read_sky(const YamlValue& value);
-SceneSun read_sun(const YamlValue& value);
-render::Medium read_medium(const YamlValue& value);
-SceneInstance read_object(const YamlValue& value);
-SceneInstance read_real(const YamlValue& value);
-SceneView read_view(const YamlValue& value);
 double read_exposure(const YamlValue& value);
-render::Quality read_quality(const YamlValue& value);
 
 // Number checks with words for messages, used all over.
 double read_heading_rad(const YamlValue& value);  // degrees from -360 to 360

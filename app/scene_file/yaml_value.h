@@ -39,6 +39,7 @@ class YamlValue {
   // Of a map, whatever else is in it: tells formats apart.
   bool has(const std::string& key) const { return node_.IsMap() && node_[key].IsDefined(); }
   bool is_scalar() const { return node_.IsScalar(); }
+  bool is_list() const { return node_.IsSequence(); }
 
   // "scene.yaml:12: medium.g", for messages of checks that are made later.
   std::string where() const;

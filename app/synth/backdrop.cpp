@@ -1,6 +1,7 @@
 #include "app/synth/backdrop.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -157,72 +158,92 @@ void Backdrop::bake_meadow(const Spec& spec, const Light& light) {
   });
 }
 
+namespace {
+
+constexpr float kTreeTexelsPerMetre = 22.0F;
+constexpr int kTreeKinds = 4;
+constexpr int kTreeSectors = 5;
+
+// The trees of one direction as they look from the middle, by kind; the last is a cypress.
+std::array<Painting, kTreeKinds> paint_tree_kinds(float azimuth, const Light& light, std::uint32_t seed) {
+  std::array<Painting, kTreeKinds> kinds;
+  parallel_for(kTreeKinds, [&](int k) {
+    const PlantSpec plant{.kind = k == 3 ? "cypress" : "tree",
+                          .position = {},
+                          .height_m = k == 3 ? 12.0 : 8.0 + k,
+                          .width_m = k == 3 ? 2.6 : 8.5};
+    kinds[static_cast<std::size_t>(k)] = paint_plant(plant, {std::sin(azimuth), std::cos(azimuth)}, light,
+                                                     kTreeTexelsPerMetre, seed + static_cast<std::uint32_t>(k));
+  });
+  return kinds;
+}
+
+}  // namespace
+
+struct Backdrop::TreeStand {
+  float azimuth = 0.0F;
+  float distance_m = 0.0F;
+  int kind = 0;
+  bool mirrored = false;
+};
+
+int Backdrop::column_at(float azimuth) {
+  return static_cast<int>(azimuth / (2.0F * std::numbers::pi_v<float>)*kWidth);
+}
+
+// The trees about an azimuth that may be seen, farthest first.
+std::vector<Backdrop::TreeStand> Backdrop::stands_about(float middle, std::uint32_t seed, Random& random) const {
+  constexpr int kCount = 340;     // over all azimuths, where woods are
+  constexpr int kHalfTree = 120;  // columns, of the widest and nearest
+  std::vector<TreeStand> stands;
+  for (int i = 0; i < kCount / kTreeSectors; ++i) {
+    const float azimuth = middle + random.between(-0.5F, 0.5F) * 2.0F * std::numbers::pi_v<float> / kTreeSectors;
+    const float wood = ring_noise(azimuth, 22.0F, 3, seed + 720U);
+    if (wood < 0.40F) continue;
+    stands.push_back({azimuth, random.between(62.0F, 170.0F),
+                      random.next() < 0.16F ? 3 : static_cast<int>(random.next() * 3.0F), random.next() < 0.5F});
+  }
+  const auto in_sight = [&](int column) { return seen_[static_cast<std::size_t>((column + kWidth) % kWidth)] != 0; };
+  std::erase_if(stands, [&](const TreeStand& stand) {
+    const int column = column_at(stand.azimuth);
+    return !in_sight(column - kHalfTree) && !in_sight(column) && !in_sight(column + kHalfTree);
+  });
+  std::sort(stands.begin(), stands.end(),
+            [](const TreeStand& a, const TreeStand& b) { return a.distance_m > b.distance_m; });
+  return stands;
+}
+
+void Backdrop::draw_tree(const TreeStand& stand, const Painting& tree, const glm::vec3& air) {
+  // Texels of the painting in one of the panorama.
+  const float scale = kTreeTexelsPerMetre * stand.distance_m * 2.0F * std::numbers::pi_v<float> / kWidth;
+  const float haze = 1.0F - std::exp(-stand.distance_m / 900.0F);
+  const float foot = static_cast<float>(kBelow) - 1.6F / stand.distance_m * kWidth / (2.0F * std::numbers::pi_v<float>);
+  const int wide = static_cast<int>(static_cast<float>(tree.width) / scale);
+  const int tall = static_cast<int>(static_cast<float>(tree.height) / scale);
+  const int left = column_at(stand.azimuth) - wide / 2;
+  for (int y = 0; y < tall; ++y) {
+    const int row = static_cast<int>(foot) + y;
+    if (row < 0 || row >= kHeight) continue;
+    for (int x = 0; x < wide; ++x) {
+      glm::vec2 uv((static_cast<float>(x) + 0.5F) / static_cast<float>(wide),
+                   1.0F - (static_cast<float>(y) + 0.5F) / static_cast<float>(tall));
+      if (stand.mirrored) uv.x = 1.0F - uv.x;
+      const glm::vec4 leaf = tree.sample(uv, scale);
+      glm::vec3& behind = texel((left + x + kWidth) % kWidth, row);
+      behind = behind * (1.0F - leaf.a) + glm::mix(glm::vec3(leaf), air * leaf.a, haze);
+    }
+  }
+}
+
 void Backdrop::bake_trees(const Spec& spec, const Light& light) {
-  constexpr int kSectors = 5;
-  constexpr int kKinds = 4;
-  constexpr float kTexelsPerMetre = 22.0F;
   Random random(spec.seed + 700U);
-  const int count = 340;
-  for (int sector = 0; sector < kSectors; ++sector) {  // light falls differently on trees in different directions
-    const float middle = 2.0F * std::numbers::pi_v<float> * (static_cast<float>(sector) + 0.5F) / kSectors;
-    struct Stand {
-      float azimuth, distance_m;
-      int kind;
-      bool mirrored;
-    };
-    std::vector<Stand> stands;
-    for (int i = 0; i < count / kSectors; ++i) {
-      const float azimuth = middle + random.between(-0.5F, 0.5F) * 2.0F * std::numbers::pi_v<float> / kSectors;
-      const float wood = ring_noise(azimuth, 22.0F, 3, spec.seed + 720U);
-      if (wood < 0.40F) continue;
-      stands.push_back({azimuth, random.between(62.0F, 170.0F),
-                        random.next() < 0.16F ? 3 : static_cast<int>(random.next() * 3.0F), random.next() < 0.5F});
-    }
-    const auto in_sight = [&](int column) { return seen_[static_cast<std::size_t>((column + kWidth) % kWidth)] != 0; };
-    const auto column_at = [](float azimuth) {
-      return static_cast<int>(azimuth / (2.0F * std::numbers::pi_v<float>)*kWidth);
-    };
-    constexpr int kHalfTree = 120;  // columns, of the widest and nearest
-    std::erase_if(stands, [&](const Stand& stand) {
-      const int column = column_at(stand.azimuth);
-      return !in_sight(column - kHalfTree) && !in_sight(column) && !in_sight(column + kHalfTree);
-    });
+  for (int sector = 0; sector < kTreeSectors; ++sector) {  // light falls differently on trees in different directions
+    const float middle = 2.0F * std::numbers::pi_v<float> * (static_cast<float>(sector) + 0.5F) / kTreeSectors;
+    const std::vector<TreeStand> stands = stands_about(middle, spec.seed, random);
     if (stands.empty()) continue;
-    std::array<Painting, kKinds> kinds;
-    parallel_for(kKinds, [&](int k) {
-      const PlantSpec plant{.kind = k == 3 ? "cypress" : "tree",
-                            .position = {},
-                            .height_m = k == 3 ? 12.0 : 8.0 + k,
-                            .width_m = k == 3 ? 2.6 : 8.5};
-      kinds[static_cast<std::size_t>(k)] =
-          paint_plant(plant, {std::sin(middle), std::cos(middle)}, light, kTexelsPerMetre,
-                      spec.seed + 710U + static_cast<std::uint32_t>(k));
-    });
-    std::sort(stands.begin(), stands.end(), [](const Stand& a, const Stand& b) { return a.distance_m > b.distance_m; });
+    const auto kinds = paint_tree_kinds(middle, light, spec.seed + 710U);
     const glm::vec3 air = sky(middle, 0.03F) * 0.85F;
-    for (const Stand& stand : stands) {
-      const Painting& tree = kinds[static_cast<std::size_t>(stand.kind)];
-      const float scale = kTexelsPerMetre * stand.distance_m * 2.0F * std::numbers::pi_v<float> /
-                          kWidth;  // painting's texels a panorama texel
-      const float haze = 1.0F - std::exp(-stand.distance_m / 900.0F);
-      const float foot =
-          static_cast<float>(kBelow) - 1.6F / stand.distance_m * kWidth / (2.0F * std::numbers::pi_v<float>);
-      const int wide = static_cast<int>(static_cast<float>(tree.width) / scale);
-      const int tall = static_cast<int>(static_cast<float>(tree.height) / scale);
-      const int left = column_at(stand.azimuth) - wide / 2;
-      for (int y = 0; y < tall; ++y) {
-        const int row = static_cast<int>(foot) + y;
-        if (row < 0 || row >= kHeight) continue;
-        for (int x = 0; x < wide; ++x) {
-          glm::vec2 uv((static_cast<float>(x) + 0.5F) / static_cast<float>(wide),
-                       1.0F - (static_cast<float>(y) + 0.5F) / static_cast<float>(tall));
-          if (stand.mirrored) uv.x = 1.0F - uv.x;
-          const glm::vec4 leaf = tree.sample(uv, scale);
-          glm::vec3& behind = texel((left + x + kWidth) % kWidth, row);
-          behind = behind * (1.0F - leaf.a) + glm::mix(glm::vec3(leaf), air * leaf.a, haze);
-        }
-      }
-    }
+    for (const TreeStand& stand : stands) draw_tree(stand, kinds[static_cast<std::size_t>(stand.kind)], air);
   }
 }
 

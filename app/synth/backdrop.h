@@ -6,6 +6,8 @@
 
 #include "app/synth/gaze.h"
 #include "app/synth/light.h"
+#include "app/synth/noise.h"
+#include "app/synth/plants.h"
 #include "app/synth/spec.h"
 
 namespace app::synth {
@@ -25,6 +27,10 @@ class Backdrop {
   void bake_hills(const Spec& spec, const Light& light);
   void bake_meadow(const Spec& spec, const Light& light);
   void bake_trees(const Spec& spec, const Light& light);
+  struct TreeStand;
+  static int column_at(float azimuth);
+  std::vector<TreeStand> stands_about(float middle, std::uint32_t seed, Random& random) const;
+  void draw_tree(const TreeStand& stand, const Painting& tree, const glm::vec3& air);
   glm::vec3& texel(int x, int y) { return panorama_[static_cast<std::size_t>(y * kWidth + x)]; }
 
   static constexpr int kWidth = 8192;  // over 360 degrees

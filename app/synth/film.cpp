@@ -5,6 +5,7 @@
 
 #include "app/synth/noise.h"
 #include "app/synth/parallel.h"
+#include "render/base/luminance.h"
 
 namespace app::synth {
 
@@ -41,7 +42,7 @@ struct YCbCr {
 
 // ITU-R BT.709-6, item 3: from encoded R'G'B'.
 YCbCr bt709_matrix(const glm::vec3& rgb) {
-  const float y = 0.2126F * rgb.r + 0.7152F * rgb.g + 0.0722F * rgb.b;
+  const float y = render::rec709_luminance(rgb.r, rgb.g, rgb.b);
   return {y, (rgb.b - y) / 1.8556F, (rgb.r - y) / 1.5748F};
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "render/base/luminance.h"
+
 namespace app::synth {
 
 namespace {
@@ -20,7 +22,7 @@ std::array<glm::vec3, 9> irradiance_polynomial(const render::Sh9& sh) {
 }
 
 double luminance(const glm::dvec3& rgb) {
-  return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b;
+  return render::rec709_luminance<double>(rgb.r, rgb.g, rgb.b);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "app/synth/parallel.h"
+#include "render/base/luminance.h"
 
 namespace app::synth {
 
@@ -47,7 +48,7 @@ glm::vec3 to_float(const cv::Vec3d& v) {
 
 // What the eye makes of a difference: about the square root of the light.
 float brightness(const glm::vec3& rgb) {
-  return std::sqrt(std::min(std::max(0.2126F * rgb.r + 0.7152F * rgb.g + 0.0722F * rgb.b, 0.0F), 1.5F));
+  return std::sqrt(std::min(std::max(render::rec709_luminance(rgb.r, rgb.g, rgb.b), 0.0F), 1.5F));
 }
 
 }  // namespace

@@ -91,6 +91,12 @@ class World {
                        const glm::vec3& direction, float t, const RayFilter& filter, Random& random) const;
   Radiance shade_tag(const PrintedTag& tag, const glm::vec3& point, Random& random) const;
   float sky_open_at(const glm::vec3& point, const glm::vec3& normal) const;
+  struct Hit;  // where a ray ends
+  Hit first_solid(const glm::vec3& origin, const glm::vec3& direction, const Candidates& among) const;
+  glm::vec4 leaves_before(float t, const glm::vec3& origin, const glm::vec3& direction, const RayFilter& filter,
+                          const Candidates& among) const;
+  Radiance shade_hit(const Hit& hit, const glm::vec3& origin, const glm::vec3& direction, const RayFilter& filter,
+                     Random& random) const;
 
   Light light_;
   GroundTextures ground_;

@@ -173,21 +173,24 @@ Radiance World::shade_tag(const PrintedTag& tag, const glm::vec3& point, Random&
   return shade(surface, frame, point, -frame[2], sky_open_at(point, frame[2]), random);
 }
 
-Radiance World::trace(const glm::vec3& origin, const glm::vec3& direction, const RayFilter& filter,
-                      const Candidates& among, Random& random) const {
-  enum class Seen { Far, OnGround, OnBlock, OnTag } what = Seen::Far;
+struct World::Hit {
+  enum class On { Backdrop, Ground, Block, Tag } on = On::Backdrop;
   float t = kNever;
   const Block* block = nullptr;
   const PrintedTag* tag = nullptr;
-  glm::vec3 normal_local(0.0F);
+  glm::vec3 normal_local{0.0F};  // of the block
+};
+
+World::Hit World::first_solid(const glm::vec3& origin, const glm::vec3& direction, const Candidates& among) const {
+  Hit found;
   if (direction.z < 0.0F && -origin.z / direction.z * glm::length(glm::vec2(direction)) < kFarGroundM) {
-    t = -origin.z / direction.z;
-    what = Seen::OnGround;
+    found.t = -origin.z / direction.z;
+    found.on = Hit::On::Ground;
   }
   for (const std::uint16_t i : among.boxes) {
-    if (hit_block(blocks_[i], origin, direction, t, normal_local)) {
-      block = &blocks_[i];
-      what = Seen::OnBlock;
+    if (hit_block(blocks_[i], origin, direction, found.t, found.normal_local)) {
+      found.block = &blocks_[i];
+      found.on = Hit::On::Block;
     }
   }
   for (const std::uint16_t i : among.tags) {
@@ -195,13 +198,19 @@ Radiance World::trace(const glm::vec3& origin, const glm::vec3& direction, const
     const float facing = glm::dot(normal, direction);
     if (facing <= 1e-6F) continue;
     const float hit = glm::dot(normal, tags_[i].centre - origin) / facing;
-    if (hit <= 0.0F || hit > t * (1.0F + 1e-5F)) continue;  // a tag that lies in the ground's plane wins
+    if (hit <= 0.0F || hit > found.t * (1.0F + 1e-5F)) continue;  // a tag that lies in the ground's plane wins
     const glm::vec3 local = (origin + direction * hit - tags_[i].centre) * tags_[i].world_from_tag;
     if (std::max(std::abs(local.x), std::abs(local.y)) > tags_[i].half_side_m) continue;
-    t = hit;
-    tag = &tags_[i];
-    what = Seen::OnTag;
+    found.t = hit;
+    found.tag = &tags_[i];
+    found.on = Hit::On::Tag;
   }
+  return found;
+}
+
+// The light of the plants nearer than `t` along the ray; a: the share of what is behind that passes them.
+glm::vec4 World::leaves_before(float t, const glm::vec3& origin, const glm::vec3& direction, const RayFilter& filter,
+                               const Candidates& among) const {
   struct Veil {
     float t;
     glm::vec4 leaves;
@@ -218,34 +227,51 @@ Radiance World::trace(const glm::vec3& origin, const glm::vec3& direction, const
     for (; place > 0 && veils[place - 1].t > hit; --place) veils[place] = veils[place - 1];
     veils[place] = {hit, leaves};
   }
-  Radiance out;
+  glm::vec3 luminance_rgb(0.0F);
   float through = 1.0F;
   for (std::size_t i = 0; i < veil_count; ++i) {
-    out.luminance_rgb += through * glm::vec3(veils[i].leaves);
+    luminance_rgb += through * glm::vec3(veils[i].leaves);
     through *= 1.0F - veils[i].leaves.a;
   }
-  if (through < 0.003F) return out;
-  const glm::vec3 point = origin + direction * std::min(t, 1e4F);
-  Radiance behind;
-  switch (what) {
-    case Seen::Far:
-      behind.luminance_rgb = backdrop_.luminance(direction);
+  return {luminance_rgb, through};
+}
+
+Radiance World::shade_hit(const Hit& hit, const glm::vec3& origin, const glm::vec3& direction, const RayFilter& filter,
+                          Random& random) const {
+  const glm::vec3 point = origin + direction * std::min(hit.t, 1e4F);
+  Radiance seen;
+  switch (hit.on) {
+    case Hit::On::Backdrop:
+      seen.luminance_rgb = backdrop_.luminance(direction);
       break;
-    case Seen::OnGround:
-      behind = shade_ground(point, direction, t, filter, random);
-      behind.thing = 0;
+    case Hit::On::Ground:
+      seen = shade_ground(point, direction, hit.t, filter, random);
+      seen.thing = 0;
       break;
-    case Seen::OnBlock:
-      behind = shade_block(*block, point, normal_local, direction, t, filter, random);
-      behind.thing = 1 + 8 * static_cast<int>(block - blocks_.data()) + face_number(normal_local);
+    case Hit::On::Block:
+      seen = shade_block(*hit.block, point, hit.normal_local, direction, hit.t, filter, random);
+      seen.thing = 1 + 8 * static_cast<int>(hit.block - blocks_.data()) + face_number(hit.normal_local);
       break;
-    case Seen::OnTag:
-      behind = shade_tag(*tag, point, random);
+    case Hit::On::Tag:
+      seen = shade_tag(*hit.tag, point, random);
       break;
   }
-  behind.luminance_rgb = out.luminance_rgb + through * behind.luminance_rgb;
-  behind.tag = what == Seen::OnTag;
-  return behind;
+  seen.tag = hit.on == Hit::On::Tag;
+  return seen;
+}
+
+Radiance World::trace(const glm::vec3& origin, const glm::vec3& direction, const RayFilter& filter,
+                      const Candidates& among, Random& random) const {
+  const Hit hit = first_solid(origin, direction, among);
+  const glm::vec4 leaves = leaves_before(hit.t, origin, direction, filter, among);
+  if (leaves.a < 0.003F) {
+    Radiance only_leaves;
+    only_leaves.luminance_rgb = glm::vec3(leaves);
+    return only_leaves;
+  }
+  Radiance seen = shade_hit(hit, origin, direction, filter, random);
+  seen.luminance_rgb = glm::vec3(leaves) + leaves.a * seen.luminance_rgb;
+  return seen;
 }
 
 }  // namespace app::synth

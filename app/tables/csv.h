@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "render/base/csv.h"
+
 namespace app {
 
 // Reads a CSV file with a header (RFC 4180: quoted fields, doubled quotes; CR LF or LF; a byte order mark is skipped).
@@ -31,12 +33,10 @@ class CsvReader {
   std::optional<std::size_t> index_of(const std::string& column) const;
   bool read_record(std::vector<std::string>& fields);
 
-  std::istream& in_;
+  render::CsvRecords records_;
   std::string name_;
   std::vector<std::string> header_;
   std::vector<std::string> row_;
-  int line_ = 0;         // of the last line read
-  int record_line_ = 0;  // of the row's first line
 };
 
 }  // namespace app

@@ -77,7 +77,7 @@ void run_sky_batch(std::istream& in, const std::string& name, std::ostream& out,
   out << "X,Y,Z,sun_angle_deg\n";
 
   constexpr std::size_t kSkiesKept = 256;  // directions of one sky come in runs, or interleaved with a few others
-  std::map<std::string, SkyAnswer> skies;
+  std::map<std::string, render::Daylight> skies;
   while (csv.next()) {
     const std::string key = key_of(csv);
     if (skies.size() >= kSkiesKept) skies.clear();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/error.h"
+#include "render/base/median.h"
 #include "render/sky/hemisphere.h"
 #include "render/sky/sky_cube.h"
 #include "render/sky/sky_image.h"
@@ -60,8 +61,7 @@ double median_luminance(const render::LinearImage& picture) {
     if (level > 0.0) levels.push_back(level);
   }
   if (levels.empty()) return 1.0;
-  std::nth_element(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2), levels.end());
-  return levels[levels.size() / 2];
+  return render::upper_median(std::move(levels));
 }
 
 // Four samples a pixel, so that the edges of clouds do not step.
@@ -121,7 +121,7 @@ render::Image tone_mapped(const render::LinearImage& picture, std::optional<doub
 namespace {
 
 // A level's faces side by side, the levels below each other from smooth to rough.
-render::LinearImage cube_picture(const SkyAnswer& answer, int size_px) {
+render::LinearImage cube_picture(const render::Daylight& answer, int size_px) {
   constexpr double kGroundAlbedo = 0.2;
   constexpr int kSmallestFace = 4;
   constexpr int kMostLevels = 5;
@@ -151,7 +151,7 @@ render::LinearImage cube_picture(const SkyAnswer& answer, int size_px) {
 
 }  // namespace
 
-render::LinearImage sky_picture(const SkyAnswer& answer, const SkyPictureOptions& options) {
+render::LinearImage sky_picture(const render::Daylight& answer, const SkyPictureOptions& options) {
   const int height = height_of(options);
   if (options.projection == SkyProjection::Cube) return cube_picture(answer, height);
   const bool lat_long = options.projection == SkyProjection::LatLong;
@@ -179,7 +179,8 @@ render::LinearImage sky_picture(const SkyAnswer& answer, const SkyPictureOptions
   return picture;
 }
 
-void write_sky_picture(const std::filesystem::path& path, const SkyAnswer& answer, const SkyPictureOptions& options) {
+void write_sky_picture(const std::filesystem::path& path, const render::Daylight& answer,
+                       const SkyPictureOptions& options) {
   const std::string ending = path.extension().string();
   if (ending != ".exr" && ending != ".hdr" && ending != ".png") {
     throw UsageError(path.string() + ": a sky picture is written as .exr, .hdr or .png");

@@ -24,9 +24,10 @@ struct SkyPictureOptions {
 };
 
 // Luminance in cd/m2, linear Rec. 709. Throws UsageError for a size that a cube cannot have.
-render::LinearImage sky_picture(const SkyAnswer& answer, const SkyPictureOptions& options);
+render::LinearImage sky_picture(const render::Daylight& answer, const SkyPictureOptions& options);
 
 // Writes .exr or .hdr (cd/m2) or .png (tone-mapped). Throws UsageError for any other ending.
-void write_sky_picture(const std::filesystem::path& path, const SkyAnswer& answer, const SkyPictureOptions& options);
+void write_sky_picture(const std::filesystem::path& path, const render::Daylight& answer,
+                       const SkyPictureOptions& options);
 
 }  // namespace app

@@ -8,8 +8,6 @@
 
 #include "app/error.h"
 #include "render/sky/direction.h"
-#include "render/sky/moon.h"
-#include "render/sun/spectrum.h"
 
 namespace app {
 
@@ -19,47 +17,32 @@ glm::dvec3 view_direction(const ViewRequest& view) {
           std::sin(view.elevation_rad)};
 }
 
-double sun_angle_rad(const SkyAnswer& answer, const glm::dvec3& direction_in_world) {
-  return render::angle_between(direction_in_world, answer.sun.apparent_direction_in_world()).radians;
+double sun_angle_rad(const render::Daylight& light, const glm::dvec3& direction_in_world) {
+  return render::angle_between(direction_in_world, light.sun.apparent_direction_in_world()).radians;
 }
 
-namespace {
-
-void warn_once(const render::SkyOptions& options, const render::SunPosition& sun) {
+void warn_once(const std::vector<std::string>& messages) {
   static std::set<std::string> said;
-  for (const std::string& message : render::beyond_range(options, sun)) {
+  for (const std::string& message : messages) {
     if (said.insert(message).second) spdlog::warn("{}", message);
   }
 }
 
-// By measured or given conditions where there are any, coloured and dimmed at the horizon as by the air's turbidity.
-glm::dvec3 sun_illuminance_rgb(const render::SkyOptions& options, const render::SunPosition& sun) {
-  const glm::dvec3 by_air = render::sun_light(sun, options.turbidity, options.height_m).illuminance_rgb;
-  const std::optional<double> given_lux = options.model == "perez" ? render::given_sun_lux(options, sun) : std::nullopt;
-  const double lux = render::luminance(by_air);
-  if (!given_lux || lux <= 0.0) return by_air;
-  return by_air * (*given_lux * render::sun_light(sun, options.turbidity).visible_disc_fraction / lux);
-}
-
-}  // namespace
-
-SkyAnswer answer(const SunRequest& request, render::SkyOptions options) {
-  SkyAnswer result;
-  if (request.place) options.height_m = request.place->height_m;
-  if (request.place && request.time) {
-    result.sun = render::sun_position(*request.place, *request.time, request.tier, request.weather);
-    options.moon = render::moon_position(*request.place, *request.time, request.weather);
-    options.clouds.time_s = static_cast<double>(request.time->time_since_epoch().count() % 86'400'000'000) * 1e-6;
-  } else if (!request.elevation_rad) {
+render::Daylight answer(const SunRequest& request, const render::SkyOptions& options) {
+  const bool known = request.place && request.time;
+  if (!known && !request.elevation_rad) {
     throw UsageError("the sun's place is not known\ngive --at and --time, or --sun AZIMUTH,ELEVATION");
   }
-  if (request.azimuth_rad) result.sun.azimuth_rad = *request.azimuth_rad;
-  if (request.elevation_rad) result.sun.elevation_rad = result.sun.apparent_elevation_rad = *request.elevation_rad;
-  warn_once(options, result.sun);
-  result.sky = render::make_sky(options, result.sun);
-  result.sun_illuminance_rgb =
-      sun_illuminance_rgb(options, result.sun) * result.sky->transmittance(result.sun.apparent_direction_in_world());
-  return result;
+  // Without a place the time of day says nothing, of the clouds neither.
+  const render::Daylight light =
+      render::daylight({.place = request.place,
+                        .time = known ? request.time : std::nullopt,
+                        .sun = {.azimuth_rad = request.azimuth_rad, .elevation_rad = request.elevation_rad},
+                        .tier = request.tier,
+                        .weather = request.weather,
+                        .sky = options});
+  warn_once(render::beyond_range(light));
+  return light;
 }
 
 }  // namespace app

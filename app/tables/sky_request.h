@@ -1,19 +1,12 @@
 #pragma once
 
-#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "render/sky/sky_model.h"
-#include "render/sun/sun.h"
+#include "render/daylight/daylight.h"
 
 namespace app {
-
-// A sky that was asked for: its sun and its light.
-struct SkyAnswer {
-  render::SunPosition sun;
-  glm::dvec3 sun_illuminance_rgb{0.0};  // lux facing the sun, after the clouds
-  std::unique_ptr<render::SkyModel> sky;
-};
 
 // Where the sun stands: by place and time, or given outright.
 struct SunRequest {
@@ -33,10 +26,13 @@ struct ViewRequest {
 glm::dvec3 view_direction(const ViewRequest& view);
 
 // Angle between a unit direction and the sun as it is seen, radians.
-double sun_angle_rad(const SkyAnswer& answer, const glm::dvec3& direction_in_world);
+double sun_angle_rad(const render::Daylight& light, const glm::dvec3& direction_in_world);
 
 // Throws UsageError where neither place and time nor an elevation is known. The moon is put in when place and time are.
 // What lies outside the model's range is logged, each kind once.
-SkyAnswer answer(const SunRequest& request, render::SkyOptions options);
+render::Daylight answer(const SunRequest& request, const render::SkyOptions& options);
+
+// Logs each message once in the life of the program.
+void warn_once(const std::vector<std::string>& messages);
 
 }  // namespace app

@@ -42,13 +42,13 @@ glm::dvec3 color_of(const render::SkyModel& sky, const glm::dvec3& view, ColorSp
   return sum > 0.0 ? glm::dvec3(xyz.y, xyz.x / sum, xyz.y / sum) : glm::dvec3(0.0);
 }
 
-Row row_of(const SkyAnswer& answer, const ViewRequest& view, ColorSpace space) {
+Row row_of(const render::Daylight& answer, const ViewRequest& view, ColorSpace space) {
   const glm::dvec3 direction = view_direction(view);
   return {view.azimuth_rad * render::kDegPerRad, view.elevation_rad * render::kDegPerRad,
           color_of(*answer.sky, direction, space), sun_angle_rad(answer, direction) * render::kDegPerRad};
 }
 
-Level level_of(const SkyAnswer& answer) {
+Level level_of(const render::Daylight& answer) {
   const glm::dvec3 diffuse = render::horizontal_illuminance(*answer.sky);
   const double sine = std::max(std::sin(answer.sun.apparent_elevation_rad), 0.0);
   return {render::luminance(diffuse), render::luminance(answer.sun_illuminance_rgb) * sine, diffuse};
@@ -56,7 +56,7 @@ Level level_of(const SkyAnswer& answer) {
 
 }  // namespace
 
-void write_sky_text(std::ostream& out, const SkyAnswer& answer, const std::vector<ViewRequest>& views,
+void write_sky_text(std::ostream& out, const render::Daylight& answer, const std::vector<ViewRequest>& views,
                     ColorSpace space) {
   const Level level = level_of(answer);
   fmt::print(out,
@@ -76,7 +76,7 @@ void write_sky_text(std::ostream& out, const SkyAnswer& answer, const std::vecto
   }
 }
 
-void write_sky_csv(std::ostream& out, const SkyAnswer& answer, const std::vector<ViewRequest>& views,
+void write_sky_csv(std::ostream& out, const render::Daylight& answer, const std::vector<ViewRequest>& views,
                    ColorSpace space) {
   const auto names = names_of(space);
   fmt::print(out, "view_azimuth_deg,view_elevation_deg,{},{},{},sun_angle_deg\n", names[0], names[1], names[2]);
@@ -87,7 +87,7 @@ void write_sky_csv(std::ostream& out, const SkyAnswer& answer, const std::vector
   }
 }
 
-void write_sky_json(std::ostream& out, const SkyAnswer& answer, const std::vector<ViewRequest>& views,
+void write_sky_json(std::ostream& out, const render::Daylight& answer, const std::vector<ViewRequest>& views,
                     ColorSpace space) {
   const Level level = level_of(answer);
   const auto names = names_of(space);

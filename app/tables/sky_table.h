@@ -13,10 +13,11 @@ namespace app {
 enum class ColorSpace { Xyz, Yxy, Rgb };
 
 // Illuminances of level ground and the luminance in each direction.
-void write_sky_text(std::ostream& out, const SkyAnswer& answer, const std::vector<ViewRequest>& views,
+void write_sky_text(std::ostream& out, const render::Daylight& answer, const std::vector<ViewRequest>& views,
                     ColorSpace space);
-void write_sky_csv(std::ostream& out, const SkyAnswer& answer, const std::vector<ViewRequest>& views, ColorSpace space);
-void write_sky_json(std::ostream& out, const SkyAnswer& answer, const std::vector<ViewRequest>& views,
+void write_sky_csv(std::ostream& out, const render::Daylight& answer, const std::vector<ViewRequest>& views,
+                   ColorSpace space);
+void write_sky_json(std::ostream& out, const render::Daylight& answer, const std::vector<ViewRequest>& views,
                     ColorSpace space);
 
 // Reads CSV with columns utc, lat_deg, lon_deg, view_azimuth_deg, view_elevation_deg and, where present and not empty,

@@ -1,16 +1,20 @@
+#include "app/tables/sun_average_table.h"
+
 #include <fmt/ostream.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/tables/sun_average.h"
 #include "ar/place/place.h"
 #include "render/base/angles.h"
 #include "render/sun/spectrum.h"
 
 namespace app {
 namespace {
+
+using render::AverageLight;
+using render::DirectionBin;
 
 double plane_lux(const DirectionBin& bin) {
   return bin.plane_sky_lux + bin.plane_sun_lux;

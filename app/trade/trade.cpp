@@ -8,8 +8,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
 
-#include "app/median.h"
 #include "app/report/thumbnail.h"
+#include "render/base/median.h"
+#include "render/plan/features/features.h"
 #include "render/shafts/shaft_settings.h"
 
 namespace app {
@@ -43,33 +44,41 @@ class Measure {
     double pan_change = 0.0;
   };
 
-  render::Plan plan(const std::string& settings) const {
+  // For both, by the same settings.
+  struct Plans {
+    render::Plan still;
+    render::Plan medium;
+  };
+
+  Plans plans(const std::string& settings) const {
     render::Quality quality = quality_;
     quality.shafts = render::parse_shaft_settings(settings);
-    const render::Plan plan = render::make_plan(state_, quality);
-    if (!plan.has(render::PassKind::Shafts)) {
+    Plans plans{render::make_plan(state_, quality, render::Target::Still),
+                render::make_plan(state_, quality, render::Target::Medium)};
+    if (!plans.medium.has(render::feature::kMedium)) {
       throw std::runtime_error("the scene has no air to see shafts in\ngive it a `medium:` with an extinction above 0");
     }
-    return plan;
+    return plans;
   }
 
-  Seen look(const render::Plan& plan) {
+  Seen look(const Plans& plans) {
     Seen seen;
-    seen.medium = renderer_.render_medium(state_, plan);
-    const render::LinearImage turned = renderer_.render_medium(panned_, plan).in_scattered();
+    seen.medium = renderer_.render_medium(state_, plans.medium);
+    const render::LinearImage turned = renderer_.render_medium(panned_, plans.medium).in_scattered();
     seen.pan_change = render::linear_error(turned, seen.medium.in_scattered()).relative_rmse;
-    seen.linear = renderer_.render_linear(state_, plan);
+    seen.linear = renderer_.render_linear(state_, plans.still);
     seen.shown = renderer_.display_image(seen.linear, state_.exposure);
     return seen;
   }
 
-  // After look() at the same plan, so that caches are full; `first` is what it saw.
-  void time(const render::Plan& plan, int frames, const render::LinearImage& first, TradeRow& row) {
+  // After look() at the same plans, so that caches are full; `first` is what it saw. A tint by translucent occluders
+  // counts with the shafts: not every technique leaves it to a pass of its own.
+  void time(const render::Plan& still, int frames, const render::LinearImage& first, TradeRow& row) {
     std::vector<double> frame_ms;
     row.still_is_equal = true;
     for (int i = 0, count = frames; i < count; ++i) {
       render::LinearImage again;
-      frame_ms.push_back(milliseconds_of([&] { again = renderer_.render_linear(state_, plan); }));
+      frame_ms.push_back(milliseconds_of([&] { again = renderer_.render_linear(state_, still); }));
       row.still_is_equal = row.still_is_equal && again.rgb == first.rgb;
       if (frame_ms.back() > kSlowMs) count = std::min(frames, 3);
     }
@@ -77,17 +86,19 @@ class Measure {
     std::vector<double> wall_ms;
     renderer_.enable_timing(true);
     for (std::size_t i = 0; i < frame_ms.size(); ++i) {
-      renderer_.render_linear(state_, plan);
+      renderer_.render_linear(state_, still);
+      gpu_ms.push_back(0.0);
+      wall_ms.push_back(0.0);
       for (const render::PassTime& pass : renderer_.pass_times()) {
-        if (pass.name != "shafts") continue;
-        gpu_ms.push_back(pass.gpu_ms);
-        wall_ms.push_back(pass.wall_ms);
+        if (pass.name != render::feature::kShafts.name && pass.name != render::feature::kTranslucency.name) continue;
+        gpu_ms.back() += pass.gpu_ms;
+        wall_ms.back() += pass.wall_ms;
       }
     }
     renderer_.enable_timing(false);
-    row.frame_ms = median(frame_ms);
-    row.shafts_wall_ms = median(wall_ms);
-    row.shafts_ms = median(gpu_ms) > 0.0 ? median(gpu_ms) : row.shafts_wall_ms;
+    row.frame_ms = render::median(frame_ms, 0.0);
+    row.shafts_wall_ms = render::median(wall_ms, 0.0);
+    row.shafts_ms = render::median(gpu_ms, 0.0) > 0.0 ? render::median(gpu_ms, 0.0) : row.shafts_wall_ms;
   }
 
  private:
@@ -130,23 +141,23 @@ Trade measure_trade(render::Renderer& renderer, const render::SceneState& state,
   trade.height = state.camera.height;
   for (const render::Instance& instance : state.instances) trade.triangles += instance.model->triangle_count();
   notify("the truth: " + options.truth);
-  const render::Plan truth_plan = measure.plan(options.truth);
-  Measure::Seen truth = measure.look(truth_plan);
+  const Measure::Plans truth_plans = measure.plans(options.truth);
+  Measure::Seen truth = measure.look(truth_plans);
   trade.truth_settings = options.truth;
   trade.truth_error = renderer.shafts_error();
   trade.truth_pan_change = truth.pan_change;
   trade.truth_thumbnail = thumbnail(truth.shown);
   const render::LinearImage true_light = truth.medium.in_scattered();
   for (const std::string& settings : all_settings(options)) {
-    const render::Plan plan = measure.plan(settings);
-    const Measure::Seen seen = measure.look(plan);
+    const Measure::Plans plans = measure.plans(settings);
+    const Measure::Seen seen = measure.look(plans);
     TradeRow row;
-    row.technique = plan.shafts.technique;
+    row.technique = plans.still.quality.shafts.technique;
     row.settings = settings;
     row.linear = render::linear_error(seen.medium.in_scattered(), true_light);
     row.display = render::display_error(seen.shown, truth.shown, truth.medium.axis_distance_m);
     row.pan_change = seen.pan_change;
-    measure.time(plan, options.frames, seen.linear, row);
+    measure.time(plans.still, options.frames, seen.linear, row);
     row.thumbnail = thumbnail(seen.shown);
     row.difference = thumbnail(render::difference_image(seen.shown, truth.shown));
     notify(fmt::format("{}: {:.1f} ms, relative RMSE {:.2e}, {:.1f} dB, FLIP {:.4f} {}", settings, row.shafts_ms,

@@ -43,10 +43,10 @@ struct Trade {
 struct TradeOptions {
   std::string truth = "reference:sky=open";
   int frames = 7;                     // timed, for each setting
-  std::vector<std::string> settings;  // instead of every technique's ladder, where not empty
+  std::vector<std::string> settings;  // instead of every technique's presets, where not empty
 };
 
-// Measures a scene seen from its own view. `told` hears what is being done, a line at a time. Throws
+// Measures a scene seen from its own view. `notify` gets what is being done, a line at a time. Throws
 // std::runtime_error where the scene has no medium to measure.
 Trade measure_trade(render::Renderer& renderer, const render::SceneState& state, const render::Quality& quality,
                     const TradeOptions& options, const std::function<void(const std::string&)>& notify);
@@ -54,7 +54,7 @@ Trade measure_trade(render::Renderer& renderer, const render::SceneState& state,
 // Marks the rows that no other beats in both relative RMSE and time of the shaft pass.
 void mark_pareto(std::vector<TradeRow>& rows);
 
-// "lossless", "good" or "" (DESIGN.md section 6).
+// "lossless", "good" or "" (docs/trade.md, "The measures").
 std::string grade(const TradeRow& row);
 
 // A header and a line a row.

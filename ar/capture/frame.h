@@ -8,16 +8,17 @@
 #include <optional>
 #include <string>
 
+#include "render/base/pixel_format.h"
+
 namespace ar {
 
-// What the samples of a frame mean. Unknown is a value; guess_color() in ar/capture/color/color.h is the one place that
-// replaces it, and says so.
-enum class ColorMatrix { Unknown, Rgb, Bt601, Bt709, Bt2020 };
-enum class ColorRange { Unknown, Limited, Full };
-enum class Transfer { Unknown, Bt709, Srgb, Linear, Gamma22, Gamma28, Pq, Hlg };
+// What the samples of a frame mean.
+using render::Chroma;
+using render::ChromaSiting;
+using render::ColorMatrix;
+using render::ColorRange;
+using render::Transfer;
 enum class Primaries { Unknown, Bt709, Bt601_525, Bt601_625, Bt2020, DisplayP3 };
-enum class Chroma { C420, C422, C444 };
-enum class ChromaSiting { Unknown, Left, Center, TopLeft };
 
 struct ColorInfo {
   ColorMatrix matrix = ColorMatrix::Unknown;
@@ -26,6 +27,17 @@ struct ColorInfo {
   Primaries primaries = Primaries::Unknown;
   ChromaSiting siting = ChromaSiting::Unknown;
   bool operator==(const ColorInfo&) const = default;
+};
+
+// How a stream names its colours, in the code points of ITU-T H.273 (2 or 0: unspecified), which containers, codecs
+// and FFmpeg's AVCOL_* share. Kept beside ColorInfo so that what goes out is tagged exactly as what came in.
+struct ColorTags {
+  int primaries = 2;
+  int transfer = 2;
+  int matrix = 2;
+  int range = 0;   // FFmpeg's AVColorRange: 0 unspecified, 1 limited, 2 full
+  int siting = 0;  // FFmpeg's AVChromaLocation: 0 unspecified, 1 left, 2 center, 3 top left
+  bool operator==(const ColorTags&) const = default;
 };
 
 struct PixelFormat {

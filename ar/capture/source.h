@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "ar/capture/color/color.h"
 #include "ar/capture/frame.h"
 
 namespace ar {
@@ -57,16 +56,5 @@ class FrameSource {
   // Packets and frames so far that were damaged: lost, or shown as far as the decoder could conceal it.
   virtual std::int64_t damaged() const { return 0; }
 };
-
-struct OpenOptions {
-  bool tone_map_hdr = false;       // otherwise PQ and HLG are refused with InputError
-  double image_frame_rate = 25.0;  // of an image sequence
-  int threads = 0;                 // decoder threads, 0: as many as the machine has
-};
-
-// Opens a video file, one picture, a printf or glob pattern of pictures ("shot_%04d.png", "shots/*.jpg") or a folder of
-// pictures (of one size). Throws InputError that names the file and what is wrong (missing, empty, no video stream,
-// unknown codec).
-std::unique_ptr<FrameSource> open_source(const std::string& path_or_pattern, const OpenOptions& options = {});
 
 }  // namespace ar

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "ar/capture/color/converter.h"
-#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/ffmpeg.h"
 #include "ar/output/sink.h"
 
 namespace ar {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/ffmpeg.h"
 #include "ar/output/sink.h"
 
 namespace ar {

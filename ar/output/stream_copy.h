@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/ffmpeg.h"
 
 namespace ar {
 

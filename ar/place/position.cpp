@@ -5,11 +5,15 @@
 #include <string_view>
 #include <vector>
 
-#include "ar/place/number.h"
 #include "ar/place/place.h"
+#include "render/base/number.h"
 
 namespace ar {
 namespace {
+
+using render::parse_number;
+using render::parse_unsigned;
+using render::trimmed;
 
 [[noreturn]] void refuse_position(const std::string& text, const std::string& why) {
   throw std::invalid_argument(

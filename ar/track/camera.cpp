@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "ar/track/lens.h"
+#include "render/base/check.h"
 
 namespace ar {
 namespace {
@@ -16,11 +17,11 @@ const cv::Point2d kNowhere(std::numeric_limits<double>::quiet_NaN(), std::numeri
 }  // namespace
 
 CameraModel camera_from_horizontal_fov(int width, int height, double fov_rad, double sample_aspect) {
-  CV_CheckGT(width, 0, "picture width in px");
-  CV_CheckGT(height, 0, "picture height in px");
-  CV_CheckGT(fov_rad, 0.0, "horizontal field of view in rad");
-  CV_CheckLT(fov_rad, CV_PI, "horizontal field of view in rad");
-  CV_CheckGT(sample_aspect, 0.0, "sample aspect");
+  CHECK(width > 0);
+  CHECK(height > 0);
+  CHECK(fov_rad > 0.0);
+  CHECK(fov_rad < CV_PI);
+  CHECK(sample_aspect > 0.0);
   const double fx = 0.5 * width / std::tan(0.5 * fov_rad);
   CameraModel camera;
   camera.width = width;

@@ -17,6 +17,7 @@
 
 #include "ar/track/grey.h"
 #include "ar/track/tag_family.h"
+#include "render/base/check.h"
 
 namespace ar {
 namespace {
@@ -60,10 +61,10 @@ int correctable_bits(const apriltag_family_t& family, int max_hamming) {
 
 void check(const DetectorOptions& options) {
   if (options.families.empty()) throw std::runtime_error("no tag family given\nname at least one, such as tag36h11");
-  CV_CheckGE(options.quad_decimate, 1.0, "quad_decimate");
-  CV_CheckGE(options.quad_sigma, 0.0, "quad_sigma");
-  CV_CheckGE(options.threads, 1, "detector threads");
-  CV_CheckGE(options.max_hamming, 0, "max_hamming");
+  CHECK(options.quad_decimate >= 1.0);
+  CHECK(options.quad_sigma >= 0.0);
+  CHECK(options.threads >= 1);
+  CHECK(options.max_hamming >= 0);
 }
 
 // AprilTag counts pixels from the picture's edge: the centre of its first pixel is at 0.5, OpenCV's at 0.
@@ -140,7 +141,7 @@ Detector::Detector(const DetectorOptions& options) : impl_(std::make_unique<Impl
 Detector::~Detector() = default;
 
 void Detector::set_decimate(double quad_decimate) {
-  CV_CheckGE(quad_decimate, 1.0, "quad_decimate");
+  CHECK(quad_decimate >= 1.0);
   impl_->options.quad_decimate = quad_decimate;
   impl_->detector->quad_decimate = static_cast<float>(quad_decimate);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/base/check.h"
+
 namespace ar {
 namespace {
 
@@ -29,7 +31,7 @@ void MotionFilter::reset(const Rigid3& world_from_camera, const cv::Matx66d& cov
 }
 
 void MotionFilter::predict(double dt) {
-  CV_CheckGE(dt, 0.0, "time step in s");
+  CHECK(dt >= 0.0);
   const cv::Matx33d turn = rotation_from_vector(turn_rate_ * dt);
   world_from_camera_.rotation = turn * world_from_camera_.rotation;
   world_from_camera_.translation += velocity_ * dt;

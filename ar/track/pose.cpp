@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "render/base/check.h"
+
 namespace ar {
 
 // Shepperd's method: divides by the largest of the four, so it is stable at every angle.
@@ -23,7 +25,7 @@ cv::Vec4d quaternion_wxyz(const cv::Matx33d& r) {
 
 cv::Matx33d rotation_from_quaternion_wxyz(const cv::Vec4d& wxyz) {
   const double length = cv::norm(wxyz);
-  CV_CheckGT(length, 0.0, "length of a quaternion");
+  CHECK(length > 0.0);
   const double w = wxyz[0] / length;
   const double x = wxyz[1] / length;
   const double y = wxyz[2] / length;

@@ -6,6 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "ar/track/corner_bias.h"
+#include "render/base/check.h"
+#include "render/base/median.h"
 
 namespace ar {
 namespace {
@@ -129,10 +131,7 @@ Rigid3 minimise(const Lens& lens, const std::vector<SeenTag>& tags, Rigid3 pose,
 
 // Tags that stay far from where the rest puts them are left out: more than a pixel and four times the median.
 std::vector<bool> agreeing(const std::vector<double>& tag_rms) {
-  std::vector<double> sorted = tag_rms;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double limit = std::max(1.0, 4.0 * *middle);
+  const double limit = std::max(1.0, 4.0 * render::lower_median(tag_rms));
   std::vector<bool> used(tag_rms.size());
   for (std::size_t i = 0; i < tag_rms.size(); ++i) used[i] = tag_rms[i] <= limit;
   return used;
@@ -259,6 +258,8 @@ std::vector<PoseFit> solve_pose(const Lens& lens, std::vector<SeenTag>& tags, co
 }
 
 double corner_variance_px2(double sum_squares_px2, int corners) {
+  CHECK(sum_squares_px2 >= 0.0);
+  CHECK(corners >= 0);
   constexpr double kUsual = 0.1 * 0.1;
   constexpr double kWeight = 6.0;  // as if so many further numbers had been measured
   const double freedom = std::max(0, 2 * corners - 6);

@@ -7,6 +7,7 @@
 #include "ar/track/motion_filter.h"
 #include "ar/track/search_regions.h"
 #include "ar/track/solve.h"
+#include "render/base/check.h"
 
 namespace ar {
 namespace {
@@ -132,8 +133,8 @@ struct Tracker::Impl {
 
 Tracker::Tracker(CameraModel camera, TagMap map, TrackerOptions options)
     : impl_(std::make_unique<Impl>(std::move(camera), std::move(map), std::move(options))) {
-  CV_CheckGE(impl_->options.predict_for_s, 0.0, "predict_for_s");
-  CV_CheckGE(impl_->options.full_search_every, 1, "full_search_every");
+  CHECK(impl_->options.predict_for_s >= 0.0);
+  CHECK(impl_->options.full_search_every >= 1);
 }
 
 Tracker::~Tracker() = default;
@@ -254,8 +255,8 @@ Track Tracker::Impl::follow(std::vector<SeenTag> tags, double time_s) {
 }
 
 Track Tracker::track(const Frame& frame) {
-  CV_CheckEQ(frame.format.width, impl_->camera.width, "picture width against the camera model's");
-  CV_CheckEQ(frame.format.height, impl_->camera.height, "picture height against the camera model's");
+  CHECK(frame.format.width == impl_->camera.width);
+  CHECK(frame.format.height == impl_->camera.height);
   impl_->advance(frame.time_s);
   return impl_->follow(impl_->search(frame), frame.time_s);
 }

@@ -9,6 +9,8 @@
 #include <opencv2/aruco/dictionary.hpp>
 #include <stdexcept>
 
+#include "render/base/check.h"
+
 namespace calib {
 namespace {
 
@@ -80,9 +82,9 @@ double Board::unit_m() const {
 }
 
 Board make_chessboard(int columns, int rows, double square_width_m, double square_height_m) {
-  CV_CheckGE(columns, 2, "inner corners across");
-  CV_CheckGE(rows, 2, "inner corners down");
-  CV_CheckGT(std::min(square_width_m, square_height_m), 0.0, "square in m");
+  CHECK(columns >= 2);
+  CHECK(rows >= 2);
+  CHECK(std::min(square_width_m, square_height_m) > 0.0);
   Board board;
   board.kind = BoardKind::Chessboard;
   board.columns = columns;
@@ -98,8 +100,8 @@ Board make_chessboard(int columns, int rows, double square_width_m, double squar
 
 Board make_charuco(const std::string& dictionary, int columns, int rows, double square_m, double marker_m,
                    bool marker_first) {
-  CV_CheckGE(columns, 3, "squares across");
-  CV_CheckGE(rows, 3, "squares down");
+  CHECK(columns >= 3);
+  CHECK(rows >= 3);
   if (!(marker_m > 0.0 && marker_m < square_m)) {
     throw std::runtime_error(fmt::format(
         "ChArUco: markers of {} in squares of {}\nmarkers must be smaller than squares", mm(marker_m), mm(square_m)));
@@ -134,9 +136,9 @@ Board make_charuco(const std::string& dictionary, int columns, int rows, double 
 }
 
 Board make_tag_grid(const GridSpec& spec) {
-  CV_CheckGE(spec.columns, 1, "tags across");
-  CV_CheckGE(spec.rows, 1, "tags down");
-  CV_CheckGT(spec.size_m, 0.0, "tag size in m");
+  CHECK(spec.columns >= 1);
+  CHECK(spec.rows >= 1);
+  CHECK(spec.size_m > 0.0);
   Board board;
   board.kind = BoardKind::Tags;
   board.family = spec.family;

@@ -9,7 +9,7 @@
 
 #include "ar/track/detector.h"
 #include "calib/boards/board_finder.h"
-#include "calib/median.h"
+#include "render/base/median.h"
 
 namespace calib {
 namespace {
@@ -95,7 +95,10 @@ std::vector<TagStep> compare_steps(const Board& board, const std::vector<Observa
       x.push_back(p.x);
       y.push_back(p.y);
     }
-    steps.push_back({from.id, to.id, {median(x), median(y)}, {off[0] / from.size_m, off[1] / from.size_m}});
+    steps.push_back({from.id,
+                     to.id,
+                     {render::upper_median(x), render::upper_median(y)},
+                     {off[0] / from.size_m, off[1] / from.size_m}});
   }
   std::stable_sort(steps.begin(), steps.end(),
                    [](const TagStep& a, const TagStep& b) { return a.error() > b.error(); });

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "calib/boards/board.h"
-#include "calib/views/observation.h"
+#include "calib/boards/observation.h"
 
 namespace calib {
 

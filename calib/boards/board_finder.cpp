@@ -10,6 +10,8 @@
 #include <set>
 
 #include "ar/track/detector.h"
+#include "render/base/check.h"
+#include "render/base/median.h"
 
 namespace calib {
 namespace {
@@ -243,7 +245,7 @@ Observation BoardFinder::find(const cv::Mat& grey8, Effort effort) {
 }
 
 void refine_saddles(const cv::Mat& grey8, std::vector<cv::Point2d>& px, const std::vector<double>& reach_px) {
-  CV_CheckEQ(px.size(), reach_px.size(), "points and their windows");
+  CHECK(px.size() == reach_px.size());
   const cv::Rect inside(2, 2, grey8.cols - 4, grey8.rows - 4);
   for (std::size_t i = 0; i < px.size(); ++i) {
     const cv::Point2d start = px[i];
@@ -279,10 +281,7 @@ double edge_width_px(const cv::Mat& grey8, const std::vector<cv::Point2d>& px, i
     cv::minMaxLoc(slope, nullptr, &steepest);
     if (steepest > 0.0) widths.push_back((high - low) / steepest);
   }
-  if (widths.empty()) return 0.0;
-  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
-  std::nth_element(widths.begin(), middle, widths.end());
-  return *middle;
+  return widths.empty() ? 0.0 : render::upper_median(std::move(widths));
 }
 
 }  // namespace calib

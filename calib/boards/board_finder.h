@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 
 #include "calib/boards/board.h"
-#include "calib/views/observation.h"
+#include "calib/boards/observation.h"
 
 namespace calib {
 

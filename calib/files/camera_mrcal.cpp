@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <regex>
 
 #include "ar/error.h"
 #include "calib/files/raw_camera.h"
+#include "render/base/number.h"
 
 namespace calib {
 namespace {
@@ -39,10 +39,9 @@ std::vector<double> numbers_in(const std::string& list, const std::string& key, 
   for (char c : list + ",") {
     if (c != ',' && std::isspace(static_cast<unsigned char>(c)) == 0) word += c;
     if (c != ',' || word.empty()) continue;
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) refuse(where, key, "'" + word + "'", "a number");
-    values.push_back(value);
+    const std::optional<double> value = render::parse_number(word);
+    if (!value) refuse(where, key, "'" + word + "'", "a number");
+    values.push_back(*value);
     word.clear();
   }
   return values;

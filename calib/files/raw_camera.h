@@ -9,7 +9,7 @@
 
 namespace calib {
 
-// What a camera file says, before it is judged. `where` names file and line of each part for messages.
+// What a camera file says, before it is checked. `where` names file and line of each part for messages.
 struct RawCamera {
   int width = 0;
   int height = 0;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "calib/boards/board.h"
+#include "calib/boards/observation.h"
 #include "calib/solve/lens_choice.h"
-#include "calib/views/observation.h"
 
 namespace calib {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "calib/boards/board.h"
+#include "calib/boards/observation.h"
 #include "calib/solve/solver.h"
-#include "calib/views/observation.h"
 
 namespace calib {
 

@@ -7,6 +7,7 @@
 
 #include "calib/solve/corner_error.h"
 #include "calib/solve/linear.h"
+#include "render/base/check.h"
 
 namespace calib {
 namespace {
@@ -148,6 +149,7 @@ Information invert(const cv::Mat_<double>& shared, int n) {
 }  // namespace
 
 Information intrinsics_information(const Bundle& bundle, double noise_px) {
+  CHECK(noise_px > 0.0);
   FreeAxes free;
   if (bundle.free_layout) free.axes = {0, 1};
   if (bundle.free_flatness) free.axes.push_back(2);

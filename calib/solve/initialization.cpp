@@ -7,7 +7,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "ar/track/lens.h"
-#include "calib/median.h"
+#include "render/base/median.h"
 
 namespace calib {
 namespace {
@@ -54,7 +54,8 @@ double cost_of(const Board& board, const Observations& observations, const std::
     errors.push_back(std::min(best, static_cast<double>(observations.width)));
   }
   // Half of the mean over the median: few wrong views do not decide, and all good ones do.
-  return median(errors) + 0.1 * std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
+  return render::upper_median(errors) +
+         0.1 * std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
 }
 
 ar::CameraModel centred_camera(LensChoice lens, double focal_px, int width, int height) {

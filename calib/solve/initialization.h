@@ -7,8 +7,8 @@
 #include "ar/track/lens.h"
 #include "ar/track/pose.h"
 #include "calib/boards/board.h"
+#include "calib/boards/observation.h"
 #include "calib/solve/lens_choice.h"
-#include "calib/views/observation.h"
 
 namespace calib {
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "render/base/check.h"
+
 namespace calib {
 namespace {
 
@@ -66,7 +68,7 @@ int intrinsics_count(LensChoice choice) {
 }
 
 ar::CameraModel camera_of(LensChoice choice, const std::vector<double>& v, int width, int height) {
-  CV_CheckEQ(static_cast<int>(v.size()), intrinsics_count(choice), "numbers of this lens model");
+  CHECK(static_cast<int>(v.size()) == intrinsics_count(choice));
   ar::CameraModel camera;
   camera.width = width;
   camera.height = height;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/base/check.h"
+
 namespace calib {
 
 cv::Mat_<double> product(const cv::Mat_<double>& a, const cv::Mat_<double>& b) {
@@ -18,6 +20,8 @@ cv::Mat_<double> transposed_product(const cv::Mat_<double>& a, const cv::Mat_<do
 }
 
 cv::Mat_<double> solve_symmetric(const cv::Mat_<double>& a, const cv::Mat_<double>& b) {
+  CHECK(a.rows == a.cols);
+  CHECK(a.rows == b.rows);
   cv::Mat_<double> scaled = a.clone();
   cv::Mat_<double> right = b.clone();
   cv::Mat_<double> scale(a.rows, 1);
@@ -35,6 +39,7 @@ cv::Mat_<double> solve_symmetric(const cv::Mat_<double>& a, const cv::Mat_<doubl
 }
 
 SymmetricEigen symmetric_eigen(const cv::Mat_<double>& a) {
+  CHECK(a.rows == a.cols);
   cv::Mat_<double> values;
   cv::Mat_<double> rows;
   cv::eigen(a, values, rows);  // falling, vectors in rows

@@ -11,6 +11,7 @@
 #include "calib/solve/initialization.h"
 #include "calib/solve/projection.h"
 #include "calib/solve/weak_direction.h"
+#include "render/base/median.h"
 
 namespace calib {
 namespace {
@@ -120,9 +121,7 @@ double typical_noise_px(const Bundle& bundle) {
     }
   }
   if (off.empty()) return kQuietestPx;
-  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
-  std::nth_element(off.begin(), middle, off.end());
-  return std::max(kQuietestPx, 1.4826 * *middle);  // of a normal distribution
+  return std::max(kQuietestPx, 1.4826 * render::upper_median(std::move(off)));  // of a normal distribution
 }
 
 // Leaves out corners that do not fit, and views of which most do not. Corners that were left out and fit now come back.

@@ -7,8 +7,8 @@
 
 #include "ar/track/camera.h"
 #include "calib/boards/board.h"
+#include "calib/boards/observation.h"
 #include "calib/solve/lens_choice.h"
-#include "calib/views/observation.h"
 
 namespace calib {
 
@@ -26,7 +26,7 @@ struct SolveOptions {
 // How a solution explains one view.
 struct ViewFit {
   ar::Rigid3 camera_from_board;
-  std::vector<cv::Point2d> residual_px;  // measured - predicted, by point of the sighting
+  std::vector<cv::Point2d> residual_px;  // measured - predicted, by point of the observation
   std::vector<bool> used;                // the others are outliers
   double rms_px = 0.0;                   // of the used points: root of the mean squared distance
   bool any_used() const;
@@ -41,7 +41,7 @@ struct Solution {
   cv::Mat_<double> covariance;
   cv::Mat_<double> local_covariance;
   ar::CameraModel camera;
-  std::vector<ViewFit> views;          // as the sightings
+  std::vector<ViewFit> views;          // as the observations
   std::vector<cv::Vec3d> board_error;  // solved displacement of each of the board's points, m; empty when not solved
   double rms_px = 0.0;                 // root of the mean squared distance of the used points
   double sigma_px = 0.0;               // noise of one coordinate, from the residuals and their degrees of freedom

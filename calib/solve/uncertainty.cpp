@@ -7,6 +7,7 @@
 
 #include "ar/track/lens.h"
 #include "calib/solve/projection.h"
+#include "render/base/check.h"
 
 namespace calib {
 namespace {
@@ -109,7 +110,8 @@ std::size_t Grid::cell_of(const cv::Point2d& px) const {
 }
 
 Grid make_grid(int width, int height, int across) {
-  CV_CheckGT(std::min(width, height), 0, "picture size in px");
+  CHECK(std::min(width, height) > 0);
+  CHECK(across > 0);
   const double cell = static_cast<double>(std::max(width, height)) / across;
   const auto count = [&](int side) { return std::max(1, static_cast<int>(std::lround(side / cell))); };
   return {count(width), count(height), width, height};

@@ -3,8 +3,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "calib/boards/observation.h"
 #include "calib/solve/solver.h"
-#include "calib/views/observation.h"
 
 namespace calib {
 

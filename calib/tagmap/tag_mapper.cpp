@@ -9,9 +9,9 @@
 #include "ar/track/corner_bias.h"
 #include "ar/track/lens.h"
 #include "ar/track/solve.h"
-#include "calib/median.h"
 #include "calib/tagmap/tag_bundle.h"
 #include "calib/tagmap/tag_chain.h"
+#include "render/base/median.h"
 
 namespace calib {
 namespace {
@@ -68,7 +68,7 @@ bool choose_used(TagBundle& bundle) {
   const ar::Lens lens(bundle.lens);
   std::vector<double> rms;
   for (const TagObservation& seen : bundle.observations) rms.push_back(observation_rms_px(lens, bundle, seen));
-  const double limit = std::max(1.0, 4.0 * median(rms));
+  const double limit = std::max(1.0, 4.0 * render::upper_median(rms));
   bool changed = false;
   for (std::size_t i = 0; i < rms.size(); ++i) {
     changed = changed || bundle.observations[i].used != (rms[i] <= limit);

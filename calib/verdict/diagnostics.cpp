@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-// Gates. A calibration that fails one of the first kind is rejected; the second kind is told.
+// Gates. A calibration that fails one of the first kind is rejected; the second kind is reported.
 constexpr int kFewestViews = 4;
 constexpr int kEnoughViews = 8;
 constexpr double kFlattestTiltDeg = 10.0;  // below, the board's perspective is lost in the corners' noise

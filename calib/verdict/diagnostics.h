@@ -8,7 +8,7 @@
 namespace calib {
 
 // What speaks against a solution, by the gates of docs/calibration.md; those that reject it come first. Of the
-// judgement, all but findings and verdict is filled in.
+// assessment, all but diagnostics and verdict is filled in.
 std::vector<Diagnostic> diagnostics_of(const Board& board, const Solution& solution, const Assessment& assessment);
 
 }  // namespace calib

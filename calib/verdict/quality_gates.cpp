@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "calib/median.h"
 #include "calib/solve/cross_validation.h"
 #include "calib/verdict/diagnostics.h"
+#include "render/base/median.h"
 
 namespace calib {
 namespace {
@@ -43,7 +43,7 @@ void summarise_sigma(Assessment& j) {
     if (j.corners[i] > 0 && !std::isnan(j.sigma_px[i])) where_seen.push_back(j.sigma_px[i]);
     if (!std::isnan(j.sigma_px[i])) j.sigma_worst_px = std::max(j.sigma_worst_px, j.sigma_px[i]);
   }
-  j.sigma_typical_px = median(where_seen);
+  j.sigma_typical_px = render::upper_median(where_seen);
 }
 
 double coverage_of(const std::vector<int>& corners) {
@@ -88,7 +88,7 @@ Assessment assess(const Board& board, const Observations& observations, const So
   for (const Observation& view : observations.views) {
     if (view.edge_width_px > 0.0) edges.push_back(view.edge_width_px);
   }
-  j.edge_width_px = edges.empty() ? 0.0 : median(edges);
+  j.edge_width_px = edges.empty() ? 0.0 : render::upper_median(edges);
   for (const ViewFit& fit : solution.views) {
     j.views.push_back(geometry_of(board, fit));
     if (j.views.back().used) j.largest_tilt_rad = std::max(j.largest_tilt_rad, j.views.back().tilt_rad);

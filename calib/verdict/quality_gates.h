@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "calib/boards/observation.h"
 #include "calib/solve/solver.h"
 #include "calib/solve/uncertainty.h"
-#include "calib/views/observation.h"
 
 namespace calib {
 
@@ -43,7 +43,7 @@ struct Assessment {
   double normals_spread_rad = 0.0;  // largest angle between the board's normals in the camera's frame
   double edge_width_px = 0.0;       // median over the views
 
-  // "rejected: focal length known to 2.4 % only ...", one line; the first finding decides.
+  // "rejected: focal length known to 2.4 % only ...", one line; the first diagnostic decides.
   std::string sentence(const Solution& solution) const;
 };
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "calib/boards/board.h"
+#include "calib/boards/observation.h"
 #include "calib/solve/uncertainty.h"
-#include "calib/views/observation.h"
 
 namespace calib {
 

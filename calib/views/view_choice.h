@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "calib/boards/board.h"
-#include "calib/views/observation.h"
+#include "calib/boards/observation.h"
 
 namespace calib {
 
-// How fast a board moves through the picture, px/s: the median over the points that this and the sighting before or
+// How fast a board moves through the picture, px/s: the median over the points that this and the observation before or
 // after it (whichever is closer in place) have in common. Infinite where there is no other.
 std::vector<double> speeds_px_s(const std::vector<Observation>& in_order_of_time);
 

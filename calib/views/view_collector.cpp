@@ -9,16 +9,16 @@
 namespace calib {
 namespace {
 
-constexpr int kCellsAcross = 16;          // as the judge counts
+constexpr int kCellsAcross = 16;          // as the quality gates count
 constexpr std::size_t kFewestPoints = 8;  // of a view that is worth taking
 constexpr double kStillShare = 0.004;     // of the longer side, that a board held still may move meanwhile:
 constexpr double kStillS = 0.3;           // 17 px/s at 1280, half a pixel of blur in 1/30 s
 constexpr int kStillFrames = 3;
-constexpr double kNew = 0.08;     // of Looks: a twelfth of the picture, or 5 degrees
+constexpr double kNew = 0.08;     // of view descriptors: a twelfth of the picture, or 5 degrees
 constexpr double kSharpPx = 3.0;  // edges narrower than that are sharp anyway
 constexpr double kBlurRatio = 1.4;
 constexpr std::size_t kGoodSet = 10;
-constexpr double kWellCovered = 0.6;        // as the judge asks for
+constexpr double kWellCovered = 0.6;        // as the quality gates ask for
 constexpr std::size_t kViewsForCamera = 4;  // that tell about a camera at all
 constexpr double kExpectedNoisePx = 0.2;
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "calib/boards/board.h"
+#include "calib/boards/observation.h"
 #include "calib/solve/uncertainty.h"
 #include "calib/views/next_view.h"
-#include "calib/views/observation.h"
 
 namespace calib {
 

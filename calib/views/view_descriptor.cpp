@@ -6,7 +6,7 @@
 #include <opencv2/calib3d.hpp>
 #include <vector>
 
-#include "calib/median.h"
+#include "render/base/median.h"
 
 namespace calib {
 double distance(const ViewDescriptor& a, const ViewDescriptor& b) {
@@ -24,7 +24,7 @@ double median_shift_px(const Observation& a, const Observation& b) {
       (a.points[i] < b.points[k] ? i : k) += 1;
     }
   }
-  return shifts.empty() ? std::numeric_limits<double>::infinity() : median(shifts);
+  return shifts.empty() ? std::numeric_limits<double>::infinity() : render::upper_median(shifts);
 }
 
 ViewDescriptor descriptor_of(const Board& board, const Observation& view, double picture_px) {

@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 
 #include "calib/boards/board.h"
-#include "calib/views/observation.h"
+#include "calib/boards/observation.h"
 
 namespace calib {
 
@@ -15,7 +15,7 @@ using ViewDescriptor = std::array<double, 5>;
 ViewDescriptor descriptor_of(const Board& board, const Observation& view, double picture_px);
 double distance(const ViewDescriptor& a, const ViewDescriptor& b);
 
-// Median shift, px, of the points that two sightings have in common; infinite where there are none.
+// Median shift, px, of the points that two observations have in common; infinite where there are none.
 double median_shift_px(const Observation& a, const Observation& b);
 
 }  // namespace calib

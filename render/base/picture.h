@@ -4,17 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "render/base/pixel_format.h"
+
 namespace render {
 
-// What a video pixel means. `Rgb` is planar G, B, R (FFmpeg's gbrp order) with no matrix.
-enum class ColorMatrix { Rgb, Bt601, Bt709, Bt2020 };
-enum class ColorRange { Limited, Full };
-// Transfer functions, decoded with the inverse of the tagged OETF (so that linear light is scene-like). Bt709 also
-// serves BT.601 and BT.2020 SDR. Pq and Hlg are tone-mapped to SDR when they get here.
-enum class Transfer { Bt709, Srgb, Linear, Gamma22, Gamma28, Pq, Hlg };
-enum class Chroma { C420, C422, C444 };
-enum class ChromaSiting { Left, Center, TopLeft };
-
+// Of a picture that is drawn on: nothing Unknown.
 struct PictureFormat {
   int width = 0;
   int height = 0;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "render/base/luminance.h"
 #include "render/compare/filter.h"
 #include "render/compare/flip.h"
 
@@ -22,7 +23,7 @@ void require_same_size(const Picture& a, const Picture& b) {
 Plane luma(const Image& image) {
   Plane plane{image.width, image.height, {}};
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    plane.values.push_back(0.2126 * image.rgba[i] + 0.7152 * image.rgba[i + 1] + 0.0722 * image.rgba[i + 2]);
+    plane.values.push_back(rec709_luminance<double>(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]));
   }
   return plane;
 }

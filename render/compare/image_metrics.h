@@ -15,7 +15,7 @@ struct LinearError {
 };
 LinearError linear_error(const LinearImage& test, const LinearImage& truth);
 
-// How far a displayed picture is from the true one (DESIGN.md section 6).
+// How far a displayed picture is from the true one (docs/trade.md, "The measures").
 struct DisplayError {
   double psnr_db = 0.0;    // of the codes of R', G' and B'; infinite where the pictures are equal
   double ssim = 1.0;       // mean, of luma [Wang, Bovik, Sheikh & Simoncelli 2004]: Gaussian window of 1.5 pixels

@@ -31,6 +31,7 @@ gl::Defines encode_defines(const PictureFormat& format) {
       break;
     case Transfer::Pq:
     case Transfer::Hlg:
+    case Transfer::Unknown:
       throw std::runtime_error("a picture with an HDR transfer function (PQ or HLG) cannot be composited; tone-map it");
   }
   if (format.matrix == ColorMatrix::Bt2020) defines.push_back({"WIDE_GAMUT"});

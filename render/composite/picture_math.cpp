@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "render/base/luminance.h"
+
 namespace render {
 namespace {
 
@@ -38,9 +40,10 @@ LumaWeights luma_weights(ColorMatrix matrix) {
       return {0.2627, 0.0593};
     case ColorMatrix::Bt709:
     case ColorMatrix::Rgb:
+    case ColorMatrix::Unknown:
       break;
   }
-  return {0.2126, 0.0722};
+  return {kRec709Red, kRec709Blue};
 }
 
 // Rows Y', Cb, Cr over columns R', G', B'; Cb and Cr in [-0.5, 0.5].
@@ -97,6 +100,7 @@ glm::vec3 linear_from_coded(Transfer transfer, const glm::vec3& coded) {
       return glsl::gamma_linear_from_coded(coded, 2.8F);
     case Transfer::Pq:
     case Transfer::Hlg:
+    case Transfer::Unknown:
       break;
   }
   throw std::runtime_error("a picture with an HDR transfer function (PQ or HLG) cannot be composited; tone-map it");
@@ -116,6 +120,7 @@ glm::vec3 coded_from_linear(Transfer transfer, const glm::vec3& linear) {
       return glsl::gamma_coded_from_linear(linear, 2.8F);
     case Transfer::Pq:
     case Transfer::Hlg:
+    case Transfer::Unknown:
       break;
   }
   throw std::runtime_error("a picture with an HDR transfer function (PQ or HLG) cannot be composited; tone-map it");

@@ -24,7 +24,7 @@ struct HeightFalloff {
   double scale_height_m = 100.0;  // > 0
 };
 
-// A participating medium, homogeneous or thinning out with height (DESIGN.md section 5).
+// A participating medium, homogeneous or thinning out with height (docs/shafts.md).
 struct Medium {
   double extinction_per_m = 0.0;  // sigma_t, >= 0; with a falloff, at its base
   double albedo = 0.95;           // sigma_s / sigma_t, [0, 1]
@@ -57,7 +57,7 @@ double optical_depth(const Medium& medium, const glm::dvec3& from_in_world, cons
                      double length_m);
 
 // Optical depth that sunlight has crossed inside the medium when it reaches a point of it: from where it enters the
-// extent; 0 for a medium without bounds, which takes the sun's light as given everywhere (DESIGN.md section 5).
+// extent; 0 for a medium without bounds, which takes the sun's light as given everywhere (docs/shafts.md).
 double sun_optical_depth(const Medium& medium, const glm::dvec3& point_in_world,
                          const glm::dvec3& sun_direction_in_world);
 

@@ -3,30 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
+#include "render/base/csv.h"
+#include "render/base/number.h"
 #include "render/plan/embedded_shaft_table.h"
 
 namespace render {
 namespace {
-
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      fields.emplace_back();
-    } else if (c != '\r') {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
 
 std::size_t column(const std::vector<std::string>& header, const std::string& name) {
   const auto found = std::ranges::find(header, name);
@@ -35,12 +22,11 @@ std::size_t column(const std::vector<std::string>& header, const std::string& na
 }
 
 double number(const std::string& text, int line) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
+  const std::optional<double> value = parse_number(text);
+  if (!value) {
     throw std::runtime_error(fmt::format("the table of shafts, line {}: found '{}'; accepted: a number", line, text));
   }
-  return value;
+  return *value;
 }
 
 bool is_known(const std::string& settings) {
@@ -69,17 +55,17 @@ std::vector<const ShaftMeasurement*> those(const std::vector<const ShaftMeasurem
 
 std::vector<ShaftMeasurement> read_shaft_table(const std::string& csv) {
   std::istringstream in(csv);
-  std::string line;
-  std::getline(in, line);
-  const std::vector<std::string> header = fields_of(line);
+  CsvRecords records(in);
+  const std::vector<std::string> header = records.next().value_or(std::vector<std::string>());
   const std::size_t width = column(header, "width");
   const std::size_t height = column(header, "height");
   const std::size_t settings = column(header, "settings");
   const std::size_t ms = column(header, "shafts_ms");
   const std::size_t error = column(header, "relative_rmse");
   std::map<std::string, ShaftMeasurement> worst;
-  for (int at = 2; std::getline(in, line); ++at) {
-    const std::vector<std::string> fields = fields_of(line);
+  while (const auto record = records.next()) {
+    const std::vector<std::string>& fields = *record;
+    const int at = records.line();
     if (fields.size() != header.size()) {
       throw std::runtime_error(
           fmt::format("the table of shafts, line {}: found {} fields; accepted: {}", at, fields.size(), header.size()));

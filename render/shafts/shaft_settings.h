@@ -44,7 +44,9 @@ struct ShaftTechniqueInfo {
   std::unique_ptr<ShaftTechnique> (*make)(const ShaftSettings&);
   bool limited_by_shadow_resolution =
       false;  // its error is that of the shadow map's texels: the medium gets a finer one (CascadedShadow)
-  bool handles_translucency = false;  // else its pictures are tinted by glass afterwards (glass_tint.h)
+  bool handles_translucency = false;  // its pictures need no tint by translucent occluders (TranslucentTint)
+  // Whether shafts soften with the distance from what casts them, by the sun's disc.
+  bool (*soft_sun)(const ShaftSettings&) = [](const ShaftSettings&) { return false; };
 
   const ShaftParameter* find(std::string_view parameter) const;
 };

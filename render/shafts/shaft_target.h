@@ -17,7 +17,7 @@ glm::ivec4 shaft_region(const ShaftInputs& inputs, const glm::ivec2& size_px, in
 // Draws reach only that rectangle, until GL_SCISSOR_TEST is disabled.
 void confine_to(const glm::ivec4& region_px);
 
-// Draws rows of the viewport 64 at a time, as wide as the program in use finds them (line_places.vert,
+// Draws rows of the viewport 64 at a time, as wide as the program in use finds them (epipolar_samples.vert,
 // slice_cells.vert).
 void draw_row_groups(const gl::VertexArray& no_vertices, int rows);
 
@@ -27,7 +27,7 @@ void plain_state();
 // ends it.
 void add_up(std::size_t part);
 
-// Where a technique's last pass draws: light and transmittance, and the distance along the axis (as shade.frag).
+// Where a technique's last pass draws: light and transmittance, and the distance along the axis (as shading.frag).
 class ShaftTarget {
  public:
   // With a depth buffer, by which a later draw can be kept to the pixels that an earlier one has left.

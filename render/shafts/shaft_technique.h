@@ -51,7 +51,7 @@ struct ShaftError {
   double largest = 0.0;  // of any pixel, relative to the largest luminance
 };
 
-// One way to compute the light scattered towards the eye (DESIGN.md section 5).
+// One way to compute the light scattered towards the eye (docs/shafts.md).
 class ShaftTechnique {
  public:
   virtual ~ShaftTechnique() = default;

@@ -24,6 +24,11 @@ ShaftParameter sun() {
           .choices = {"point", "disc"}};
 }
 
+// For techniques with that parameter.
+bool by_disc(const ShaftSettings& s) {
+  return s.integer("sun") == 1;
+}
+
 ShaftParameter divisor(int standard) {
   return {.name = "divisor",
           .meaning = "shafts are computed at 1/divisor of the picture's width and height",
@@ -71,10 +76,11 @@ ShaftTechniqueInfo march() {
                                                       .spacing = s.integer("spacing"),
                                                       .near_share = s.number("near_share"),
                                                       .near_m = s.number("near_m"),
-                                                      .sun_disc = s.integer("sun") == 1},
+                                                      .sun_disc = by_disc(s)},
                                            s.integer("divisor"));
           },
-          .limited_by_shadow_resolution = true};
+          .limited_by_shadow_resolution = true,
+          .soft_sun = by_disc};
 }
 
 ShaftTechniqueInfo interleaved() {
@@ -107,10 +113,10 @@ ShaftTechniqueInfo bilateral() {
           .presets = {"bilateral:steps=32,divisor=8", "bilateral:steps=64,divisor=4", "bilateral:steps=128,divisor=4",
                       "bilateral:steps=128,divisor=2", "bilateral:steps=512,divisor=2"},
           .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
-            return std::make_unique<Bilateral>(
-                MarchSteps{.count = s.integer("steps"), .sun_disc = s.integer("sun") == 1}, s.integer("divisor"),
-                s.integer("radius"));
-          }};
+            return std::make_unique<Bilateral>(MarchSteps{.count = s.integer("steps"), .sun_disc = by_disc(s)},
+                                               s.integer("divisor"), s.integer("radius"));
+          },
+          .soft_sun = by_disc};
 }
 
 std::vector<ShaftParameter> line_parameters(double line_px, double sample_px, double tolerance) {
@@ -149,9 +155,10 @@ ShaftTechniqueInfo epipolar() {
                   "epipolar:steps=1024,line_px=0.5,sample_px=8,tolerance=0.005"},
       .make = [](const ShaftSettings& s) -> std::unique_ptr<ShaftTechnique> {
         return std::make_unique<Epipolar>(line_settings(s),
-                                          MarchSteps{.count = s.integer("steps"), .sun_disc = s.integer("sun") == 1});
+                                          MarchSteps{.count = s.integer("steps"), .sun_disc = by_disc(s)});
       },
-      .limited_by_shadow_resolution = true};
+      .limited_by_shadow_resolution = true,
+      .soft_sun = by_disc};
   info.parameters.push_back(steps(256));
   info.parameters.push_back(sun());
   return info;

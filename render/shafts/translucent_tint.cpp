@@ -1,13 +1,6 @@
 #include "render/shafts/translucent_tint.h"
 
 namespace render {
-namespace {
-
-// Through the light behind the panes alone, which is seldom many metres: its edges are as sharp as a march of many
-// times as many steps along whole rays makes them.
-constexpr int kSteps = 128;
-
-}  // namespace
 
 void TranslucentTint::make_storage(const ShaftPicture& size) {
   if (tinted_.width() == size.width && tinted_.height() == size.height) return;
@@ -15,9 +8,7 @@ void TranslucentTint::make_storage(const ShaftPicture& size) {
   framebuffer_ = gl::Framebuffer({&tinted_}, nullptr, "tinted shafts");
 }
 
-const ShaftPicture& TranslucentTint::draw(const ShaftInputs& inputs) {
-  const ShaftPicture& untinted = untinted_->draw(inputs);
-  if (inputs.shadow.translucent().fit.empty) return untinted;
+const ShaftPicture& TranslucentTint::draw(const ShaftInputs& inputs, const ShaftPicture& untinted) {
   occluders_.update(inputs);
   make_storage(untinted);
   const glm::ivec2 size_px(untinted.width, untinted.height);

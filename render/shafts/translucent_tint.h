@@ -1,27 +1,26 @@
 #pragma once
 
-#include <memory>
-#include <string>
-
 #include "render/shafts/medium_program.h"
 #include "render/shafts/occluder_map.h"
 #include "render/shafts/shaft_target.h"
 
 namespace render {
 
-// Another technique's picture, tinted where the sun's light comes through glass. Techniques know of the occluders that
-// hold up light altogether; all share this one pass for those that colour it, and it runs only where a scene has them.
-class TranslucentTint : public ShaftTechnique {
+// A technique's picture, tinted where the sun's light comes through translucent occluders. Techniques know of the
+// occluders that hold up light altogether; all that do not say otherwise (ShaftTechniqueInfo) share this for those that
+// colour it.
+class TranslucentTint {
  public:
-  explicit TranslucentTint(std::unique_ptr<ShaftTechnique> untinted) : untinted_(std::move(untinted)) {}
+  // Through the light behind the panes alone, which is seldom many metres: its edges are as sharp as a march of many
+  // times as many steps along whole rays makes them.
+  static constexpr int kSteps = 128;
 
-  const ShaftPicture& draw(const ShaftInputs& inputs) override;
-  std::optional<ShaftError> error() const override { return untinted_->error(); }
+  // `untinted` was drawn from the same inputs, whose shadow has translucent occluders. Valid until the next draw.
+  const ShaftPicture& draw(const ShaftInputs& inputs, const ShaftPicture& untinted);
 
  private:
   void make_storage(const ShaftPicture& size);
 
-  std::unique_ptr<ShaftTechnique> untinted_;
   OccluderMap occluders_{1};
   MediumProgram alone_{"shafts/translucent_tint.frag"};
   MediumProgram among_occluders_{"shafts/translucent_tint.frag", {{"OCCLUDERS"}}};

@@ -53,13 +53,29 @@ CloudLayer stratus() {
 
 }  // namespace
 
+const std::vector<CloudPreset>& cloud_presets() {
+  static const std::vector<CloudPreset> presets{
+      {"clear", "no clouds", {}},
+      {"light", "scattered cumulus under thin cirrus", {cumulus(0.28, 14.0), cirrus(0.35, 0.5)}},
+      {"cloudy", "broken cumulus under altocumulus", {cumulus(0.55, 24.0), altocumulus(0.45, 5.0)}},
+      {"overcast", "closed stratus", {stratus()}},
+      {"night", "few cumulus and thin cirrus, for moonlit nights", {cumulus(0.22, 10.0), cirrus(0.4, 0.4)}}};
+  return presets;
+}
+
+std::vector<std::string> cloud_preset_names() {
+  std::vector<std::string> names;
+  for (const CloudPreset& preset : cloud_presets()) names.push_back(preset.name);
+  return names;
+}
+
 std::vector<CloudLayer> cloud_preset(const std::string& name) {
-  if (name == "clear") return {};
-  if (name == "light") return {cumulus(0.28, 14.0), cirrus(0.35, 0.5)};
-  if (name == "cloudy") return {cumulus(0.55, 24.0), altocumulus(0.45, 5.0)};
-  if (name == "overcast") return {stratus()};
-  if (name == "night") return {cumulus(0.22, 10.0), cirrus(0.4, 0.4)};
-  throw std::runtime_error("unknown cloud preset `" + name + "`\nknown presets: clear, light, cloudy, overcast, night");
+  std::string known;
+  for (const CloudPreset& preset : cloud_presets()) {
+    if (preset.name == name) return preset.layers;
+    known += (known.empty() ? "" : ", ") + preset.name;
+  }
+  throw std::runtime_error("unknown cloud preset `" + name + "`\nknown presets: " + known);
 }
 
 }  // namespace render

@@ -24,7 +24,20 @@ struct CloudLayer {
   double persistence = 0.5;
 };
 
-// clear (none), light, cloudy, overcast, night. Throws std::runtime_error that names an unknown preset and lists them.
+// Weather as it is known by name.
+struct CloudPreset {
+  std::string name;
+  std::string summary;             // Markdown, one line
+  std::vector<CloudLayer> layers;  // none: no clouds
+};
+
+// All presets, in the order of the documents: clear, the default, is the first.
+const std::vector<CloudPreset>& cloud_presets();
+
+std::vector<std::string> cloud_preset_names();
+
+// The layers of a preset, none for clear. Throws std::runtime_error that names an unknown preset and
+// lists those there are.
 std::vector<CloudLayer> cloud_preset(const std::string& name);
 
 // A light that shines on the clouds: where it stands and what it gives a plane facing it, lux.

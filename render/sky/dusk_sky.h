@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "render/base/angles.h"
 #include "render/sky/sky_model.h"
 
 namespace render {
@@ -11,6 +12,10 @@ struct Handover {
   double day_from_rad = 0.0;        // above it the daytime model stands alone
   double twilight_below_rad = 0.0;  // below it computed twilight stands alone
 };
+
+inline constexpr Handover kClearHandover{8.0 * kRadPerDeg,
+                                         0.0};  // turbid models lose their colours in the last degrees
+inline constexpr Handover kGivenHandover{0.0, -4.0 * kRadPerDeg};  // what was asked for holds as long as the sun is up
 
 // Carries a model that knows the day alone through sunset: from `day` to the scattering of a clear atmosphere with the
 // sun below the horizon, both scaled so that level ground receives `level_lux`. `clearness` in [0, 1] says how much of

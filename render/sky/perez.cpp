@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/base/check.h"
+
 namespace render {
 namespace {
 
@@ -170,6 +172,9 @@ double perez_luminance(const PerezShape& shape, double cos_view_zenith, double g
 }
 
 double sky_clearness(double dni_wm2, double dhi_wm2, double sun_zenith_rad) {
+  CHECK(std::isfinite(dni_wm2));
+  CHECK(std::isfinite(dhi_wm2));
+  CHECK(std::isfinite(sun_zenith_rad));
   const double direct = std::max(dni_wm2, 0.0);
   const double diffuse = std::max(dhi_wm2, 0.0);
   if (diffuse <= 0.0) return direct > 0.0 ? kClearest : 1.0;
@@ -178,6 +183,7 @@ double sky_clearness(double dni_wm2, double dhi_wm2, double sun_zenith_rad) {
 }
 
 double sky_brightness(double dhi_wm2, double sun_zenith_rad, double extraterrestrial_normal_wm2) {
+  CHECK(extraterrestrial_normal_wm2 > 0.0);
   const double air_mass = kasten_air_mass(sun_zenith_rad);
   return clamped_brightness(std::max(dhi_wm2, 0.0) * air_mass / extraterrestrial_normal_wm2);
 }
@@ -192,6 +198,9 @@ double dhi_from_brightness(double brightness, double sun_zenith_rad, double extr
 }
 
 PerezShape perez_shape(double clearness, double brightness, double sun_zenith_rad, PerezBins bins) {
+  CHECK(std::isfinite(clearness));
+  CHECK(std::isfinite(brightness));
+  CHECK(std::isfinite(sun_zenith_rad));
   const double zenith = std::clamp(sun_zenith_rad, 0.0, std::numbers::pi / 2.0);
   brightness = clamped_brightness(brightness);
   if (bins == PerezBins::Original) return bin_shape(bin_of(clearness), brightness, zenith);

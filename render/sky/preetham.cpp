@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/base/check.h"
+
 namespace render {
 namespace {
 
@@ -18,6 +20,7 @@ double cubic(double t, double k3, double k2, double k1, double k0) {
 }  // namespace
 
 PreethamShapes preetham_shapes(double turbidity) {
+  CHECK(turbidity > 0.0);
   const double t = held_turbidity(turbidity);
   PreethamShapes shapes;
   shapes.luminance = {0.1787 * t - 1.4630, -0.3554 * t + 0.4275, -0.0227 * t + 5.3251, 0.1206 * t - 2.5771,
@@ -30,6 +33,8 @@ PreethamShapes preetham_shapes(double turbidity) {
 }
 
 PreethamZenith preetham_zenith(double turbidity, double sun_zenith_rad) {
+  CHECK(turbidity > 0.0);
+  CHECK(std::isfinite(sun_zenith_rad));
   const double t = held_turbidity(turbidity);
   const double zenith = std::clamp(sun_zenith_rad, 0.0, std::numbers::pi / 2.0);
   const double chi = (4.0 / 9.0 - t / 120.0) * (std::numbers::pi - 2.0 * zenith);

@@ -9,6 +9,7 @@
 
 #include "render/sky/atmosphere.h"
 #include "render/sky/direction.h"
+#include "render/sky/sky_model_list.h"
 #include "render/sun/spectrum.h"
 
 namespace render {
@@ -137,6 +138,20 @@ std::unique_ptr<SkyModel> make_reference_sky(double turbidity, const SunPosition
 
 std::unique_ptr<SkyModel> make_reference_colors(double turbidity, const SunPosition& sun) {
   return std::make_unique<ReferenceSky>(turbidity, sun, kColors);
+}
+
+SkyModelInfo reference_model() {
+  return {.written = "reference",
+          .words = {"reference"},
+          .summary =
+              "Our own: single scattering exact, multiple scattering after Hillaire 2020, in a spherical "
+              "atmosphere of molecules, aerosol and ozone, eleven wavelengths, over ground of albedo 0.08 (grass "
+              "and woods in visible light).",
+          .turbidity = TurbidityLimits{1.0, 20.0},
+          .quick = false,
+          .make = [](const SkyOptions& options, const SunPosition& sun) {
+            return make_reference_sky(options.turbidity, sun);
+          }};
 }
 
 }  // namespace render

@@ -9,6 +9,10 @@
 #include "render/medium/medium.h"
 #include "render/sky/atmosphere.h"
 #include "render/sky/direction.h"
+#include "render/sky/dusk_sky.h"
+#include "render/sky/sky_condition.h"
+#include "render/sky/sky_model_list.h"
+#include "render/sky/twilight.h"
 #include "render/sun/air_mass.h"
 #include "render/sun/spectrum.h"
 
@@ -52,10 +56,26 @@ class ScatteringSky final : public SkyModel {
   double sun_lux_;
 };
 
+std::unique_ptr<SkyModel> scattering(const SkyOptions& options, const SunPosition& sun) {
+  const Day day = day_of(sun);
+  const double level = diffuse_level_lux(clear_condition(options, day).diffuse_lux, sun, options.turbidity);
+  return make_dusk_sky(make_scattering_sky(options.turbidity, day.sun), sun, options.turbidity, level, kClearHandover,
+                       1.0);
+}
+
 }  // namespace
 
 std::unique_ptr<SkyModel> make_scattering_sky(double turbidity, const SunPosition& sun) {
   return std::make_unique<ScatteringSky>(turbidity, sun);
+}
+
+SkyModelInfo scattering_model() {
+  return {.written = "scattering",
+          .words = {"scattering"},
+          .summary =
+              "Hoffman & Preetham 2002 as in Yang 2007, equations 2-8: one scattering, three wavelengths, scaled "
+              "to the clear-sky level.",
+          .make = scattering};
 }
 
 }  // namespace render

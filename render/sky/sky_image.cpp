@@ -10,6 +10,8 @@
 
 #include "render/base/angles.h"
 #include "render/sky/hemisphere.h"
+#include "render/sky/sky_condition.h"
+#include "render/sky/sky_model_list.h"
 #include "render/sky/twilight.h"
 #include "render/sun/spectrum.h"
 
@@ -159,6 +161,23 @@ std::unique_ptr<SkyModel> make_image_sky(const std::filesystem::path& file, cons
   const double total = luminance(horizontal_illuminance(*sky)) + direct;
   sky->set_scale(clear_illuminance_lux(std::asin(std::clamp(pictured.z, -1.0, 1.0))) / total);
   return sky;
+}
+
+SkyModelInfo image_model() {
+  const std::string prefix = "image:";
+  return {.written = prefix + "FILE",
+          .prefix = prefix,
+          .summary =
+              "Lat-long EXR or Radiance picture. The disc is found, measured and painted over; the picture is "
+              "turned so that its sun stands where the sun does, and scaled so that sun and sky give a clear "
+              "day's illuminance at the pictured elevation.",
+          .turbidity = TurbidityLimits{1.0, 20.0},
+          .quick = false,
+          .make = [prefix](const SkyOptions& options, const SunPosition& sun) {
+            const double diffuse_lux =
+                diffuse_level_lux(clear_condition(options, day_of(sun)).diffuse_lux, sun, options.turbidity);
+            return make_image_sky(options.model.substr(prefix.size()), sun, diffuse_lux);
+          }};
 }
 
 }  // namespace render

@@ -3,18 +3,10 @@
 #include <vector>
 
 #include "render/sky/sky_condition.h"
+#include "render/sky/sky_models.h"
 
 namespace render {
 namespace {
-
-// Turbidities that a model takes; outside them the nearest is used.
-struct Limits {
-  const char* model;
-  double least;
-  double most;
-};
-constexpr Limits kLimits[] = {{"preetham:rescaled", 2.0, 10.0}, {"preetham", 1.7, 10.0}, {"perez", 1.0, 20.0},
-                              {"reference", 1.0, 20.0},         {"cie:", 1.0, 20.0},     {"image:", 1.0, 20.0}};
 
 std::string decimal(double value) {
   std::string text = std::to_string(value);
@@ -24,13 +16,12 @@ std::string decimal(double value) {
 }
 
 void check_turbidity(const SkyOptions& options, std::vector<std::string>& found) {
-  for (const Limits& limits : kLimits) {
-    if (!options.model.starts_with(limits.model)) continue;
-    if (options.turbidity < limits.least || options.turbidity > limits.most) {
-      found.push_back("turbidity is outside what sky `" + options.model + "` knows: held in " + decimal(limits.least) +
-                      " to " + decimal(limits.most));
-    }
-    return;
+  const SkyModelInfo* model = find_sky_model(options.model);
+  if (model == nullptr || !model->turbidity) return;
+  const TurbidityLimits& limits = *model->turbidity;
+  if (options.turbidity < limits.least || options.turbidity > limits.most) {
+    found.push_back("turbidity is outside what sky `" + options.model + "` knows: held in " + decimal(limits.least) +
+                    " to " + decimal(limits.most));
   }
 }
 

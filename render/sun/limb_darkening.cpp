@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/base/check.h"
 #include "render/sun/spectrum.h"
 
 namespace render {
@@ -49,10 +50,12 @@ std::array<glm::dvec3, kRings + 1> tabulate() {
 }  // namespace
 
 double limb_darkening_exponent(double wavelength_nm) {
+  CHECK(wavelength_nm > 0.0);
   return -0.023 + 0.292 * 1e3 / wavelength_nm;
 }
 
 double limb_darkening(double r, double wavelength_nm) {
+  CHECK(r >= 0.0);
   const double alpha = limb_darkening_exponent(wavelength_nm);
   const double mu2 = std::max(1.0 - r * r, 0.0);
   return (1.0 + 0.5 * alpha) * std::pow(mu2, 0.5 * alpha);

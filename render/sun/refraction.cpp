@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "render/base/angles.h"
+#include "render/base/check.h"
 
 namespace render {
 namespace {
@@ -24,6 +25,9 @@ double smooth_step(double edge0, double edge1, double x) {
 }  // namespace
 
 double apparent_elevation(double elevation_rad, const Weather& weather) {
+  CHECK(std::isfinite(elevation_rad));
+  CHECK(weather.pressure_hpa >= 0.0);
+  CHECK(weather.temperature_c > -273.0);
   const double elevation_deg = elevation_rad / kRadPerDeg;
   const double air_density = weather.pressure_hpa / 1010.0 * 283.0 / (273.0 + weather.temperature_c);
   const double lift_deg = saemundsson_deg(std::max(elevation_deg, kFormulaFloorDeg)) *

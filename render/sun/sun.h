@@ -6,7 +6,7 @@
 
 namespace render {
 
-// How the sun's place is computed (DESIGN.md section 4).
+// How the sun's place is computed (docs/sky.md, "The sun").
 enum class SunTier { Daily, Psa, Precise };
 
 // The air that refracts: pressure at the place and temperature.

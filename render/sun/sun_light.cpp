@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/base/check.h"
 #include "render/sun/air_mass.h"
 #include "render/sun/limb_darkening.h"
 #include "render/sun/spectrum.h"
@@ -49,6 +50,10 @@ double disc_fraction(double apparent_elevation_rad, double angular_radius_rad) {
 }  // namespace
 
 SunLight sun_light(const SunPosition& sun, double turbidity, double height_m) {
+  CHECK(turbidity > 0.0);
+  CHECK(sun.distance_au > 0.0);
+  CHECK(sun.angular_radius_rad > 0.0);
+  CHECK(std::isfinite(height_m));
   SunLight light;
   light.shadow_radius_rad = even_disc_radius() * sun.angular_radius_rad;
   light.visible_disc_fraction = disc_fraction(sun.apparent_elevation_rad, sun.angular_radius_rad);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/base/luminance.h"
+
 namespace render {
 
 Lighting lighting_of(const SceneState& scene) {
@@ -20,8 +22,7 @@ Lighting lighting_of(const SceneState& scene) {
   }
   const glm::dvec3 level = scene.sky_light.horizontal_illuminance_rgb +
                            sun_of(scene).illuminance_rgb * std::max(sun_of(scene).direction_in_world.z, 0.0);
-  light.white_luminance =
-      static_cast<float>(glm::dot(level, glm::dvec3(0.2126, 0.7152, 0.0722)) * scene.exposure / kPi);
+  light.white_luminance = static_cast<float>(rec709_luminance(level.x, level.y, level.z) * scene.exposure / kPi);
   return light;
 }
 

@@ -10,7 +10,7 @@
 namespace render {
 namespace {
 
-// 5.6 degrees a texel: an unclouded sky is smoother than that, and the mirror's sharpest lobe (shade.glsl allows no
+// 5.6 degrees a texel: an unclouded sky is smoother than that, and the mirror's sharpest lobe (shading.glsl allows no
 // roughness below 0.06) is a few degrees wide.
 constexpr SkyCubeOptions kOptions{.size_px = 32, .levels = 4};
 

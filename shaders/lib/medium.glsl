@@ -1,4 +1,4 @@
-// A medium, homogeneous or thinning out with height, along a view ray (DESIGN.md section 5). Pure functions, written in
+// A medium, homogeneous or thinning out with height, along a view ray (docs/shafts.md). Pure functions, written in
 // the part of GLSL that GLM compiles as C++ too, so that the tests need no GPU. Lengths in metres, extinction in 1/m.
 
 // (1 - exp(-x)) / x for |x| < 0.05, good to 1e-9.

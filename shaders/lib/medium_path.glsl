@@ -1,6 +1,6 @@
 // A medium along a ray from the eye: optical depths, and the sunlight that goes down the ray when nothing shadows it.
 // BOUNDED: the medium is a box. FALLOFF: it thins out with height. Pure functions, also compiled as C++. Lengths in
-// metres. In-scattering as docs/light.md defines it, at phase function and albedo 1.
+// metres. In-scattering as docs/shafts.md defines it, at phase function and albedo 1.
 #include "lib/medium.glsl"
 
 struct MediumShape {

@@ -7,7 +7,7 @@ precision highp float;
 #include "shafts/shading.glsl"
 #include "shafts/view_depth.glsl"
 
-uniform highp sampler2D small;  // small_lit.frag
+uniform highp sampler2D small;  // low_res_visibility.frag
 uniform vec2 small_px_per_px;
 uniform int radius;
 

@@ -1,5 +1,5 @@
 #version 310 es
-// The march's result, averaged along rows; shade.frag averages along columns.
+// The march's result, averaged along rows; shading.frag averages along columns.
 precision highp float;
 
 #include "shafts/tile_average.glsl"

@@ -6,7 +6,7 @@
 // neighbours.
 precision highp float;
 
-uniform highp sampler2D samples;  // line_samples.frag
+uniform highp sampler2D samples;  // epipolar_samples.frag
 uniform vec2 samples_texel;       // 1 / size
 uniform float tolerance;          // of all sunlight, from one sample to the next
 

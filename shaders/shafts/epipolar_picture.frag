@@ -12,7 +12,7 @@ precision highp float;
 #ifdef ALONE
 #include "shafts/epipolar_visibility.glsl"
 #else
-uniform highp sampler2D pairs;   // line_pairs.frag
+uniform highp sampler2D pairs;   // epipolar_pairs.frag
 uniform vec2 pairs_texel;        // 1 / size
 uniform float depth_tolerance;   // relative, of the distance
 #endif

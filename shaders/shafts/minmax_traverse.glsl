@@ -7,8 +7,8 @@ precision highp int;
 
 // Looked up by texture coordinates: software rasterisers take twice as long to fetch a texel by its number.
 uniform highp sampler2D slices;   // render/shafts/epipolar/slice_trees.h
-uniform highp usampler2D leaves;  // leaves.frag
-uniform highp usampler2D levels;   // levels.frag
+uniform highp usampler2D leaves;  // minmax_leaves.frag
+uniform highp usampler2D levels;   // minmax_levels.frag
 uniform vec2 leaves_texel;        // 1 / size
 uniform vec2 levels_texel;
 uniform ivec4 level_first;

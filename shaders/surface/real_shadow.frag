@@ -1,5 +1,5 @@
 #version 310 es
-// What virtual things take away from the light on a real surface (the contract's M).
+// What virtual things take away from the light on a real surface (M of docs/shafts.md, "Composite").
 // SOUGHT: leaves nothing, and only where virtual things may take anything away from what is seen of the surface.
 precision highp float;
 

@@ -11,6 +11,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <vector>
 
+#include "render/base/median.h"
 #include "render/plan/screen_region.h"
 #include "tests/testing/light_rig.h"
 
@@ -23,11 +24,6 @@ struct Times {
   double wall_ms = 0.0;
   double cpu_ms = 0.0;  // of all threads together: what a software rasteriser costs, whatever else the machine does
 };
-
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + kFrames / 2);
-  return values[kFrames / 2];
-}
 
 // Medians of a pass with the GPU's work waited for.
 Times median_times(const std::function<void()>& pass) {
@@ -42,7 +38,7 @@ Times median_times(const std::function<void()>& pass) {
     cpu_ms.push_back(1000.0 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC);
     wall_ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
-  return {median(wall_ms), median(cpu_ms)};
+  return {upper_median(wall_ms), upper_median(cpu_ms)};
 }
 
 SceneState garden() {

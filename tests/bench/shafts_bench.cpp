@@ -18,6 +18,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "render/base/median.h"
 #include "render/images/image_io.h"
 #include "render/shadow/cascades.h"
 #include "render/shafts/reference/shaft_reference.h"
@@ -89,11 +90,6 @@ struct Times {
   double wall_ms = 0.0;
   double cpu_ms = 0.0;
 };
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -221,7 +217,7 @@ struct Bench {
       if (i > 0) wall.push_back(milliseconds_since(start));
       if (i == kFrames) found = read_pixels(picture.texture, picture.width, picture.height, GL_FLOAT);
     }
-    compare(settings, {median(map), median(wall), median(cpu)}, found);
+    compare(settings, {upper_median(map), upper_median(wall), upper_median(cpu)}, found);
   }
 };
 

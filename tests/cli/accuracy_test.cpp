@@ -10,7 +10,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 #include "ar/track/camera.h"
 #include "ar/track/pose.h"
 #include "ar/track/tag_map.h"

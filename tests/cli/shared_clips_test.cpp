@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 #include "ar/place/place.h"
 #include "tests/testing/made_clip.h"
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 #include "tests/testing/run_program.h"
 
@@ -14,19 +15,52 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-class Help : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(Help, IsAPageWithAnExampleOnStandardOutput) {
-  const Result result = skyshaft({GetParam(), "--help"});
-  EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("Example"));
-  EXPECT_THAT(result.out, HasSubstr(std::string("skyshaft ") + GetParam()));
+// The words that a help page lists below "Subcommands:".
+std::vector<std::string> listed_commands(const std::string& page) {
+  std::vector<std::string> commands;
+  std::istringstream lines(page);
+  std::string line;
+  while (std::getline(lines, line) && line != "Subcommands:") {
+  }
+  while (std::getline(lines, line) && line.starts_with("  ")) {
+    // Deeper lines go on with a description.
+    if (line.at(2) != ' ') commands.push_back(line.substr(2, line.find(' ', 2) - 2));
+  }
+  return commands;
 }
 
-INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         ::testing::Values("process", "render", "explain", "detect", "sky", "sun", "synth", "trade",
-                                           "doctor"),
-                         [](const auto& command) { return std::string(command.param); });
+// The page of `skyshaft WORDS --help`, and those of the commands below it. Returns how many there are.
+int expect_pages(const std::vector<std::string>& words) {
+  std::string command = "skyshaft";
+  for (const std::string& word : words) command += " " + word;
+  SCOPED_TRACE(command);
+  std::vector<std::string> arguments = words;
+  arguments.emplace_back("--help");
+  const Result result = skyshaft(arguments);
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, testing::IsEmpty());
+  EXPECT_THAT(result.out, HasSubstr("Usage: " + command + " "));
+  EXPECT_THAT(result.out, HasSubstr("Example"));
+  int pages = 1;
+  for (const std::string& below : listed_commands(result.out)) {
+    arguments.back() = below;
+    pages += expect_pages(arguments);
+  }
+  return pages;
+}
+
+TEST(Help, EveryCommandHasAPageWithAnExampleOnStandardOutput) {
+  // skyshaft itself, its sixteen commands and the five of `camera`; more may come.
+  EXPECT_GE(expect_pages({}), 1 + 16 + 5);
+}
+
+TEST(Help, ListsEveryCommandThereIsASourceOf) {
+  const std::vector<std::string> listed = listed_commands(skyshaft({"--help"}).out);
+  for (const auto& entry : std::filesystem::directory_iterator(SKYSHAFT_SOURCE_DIR "/app/cmd")) {
+    const std::string name = entry.path().stem();
+    if (entry.path().extension() == ".cpp") EXPECT_THAT(listed, testing::Contains(name));
+  }
+}
 
 TEST(Usage, VersionIsPrinted) {
   const Result result = skyshaft({"--version"});
@@ -91,7 +125,7 @@ TEST(Explain, SaysWhichPassesAndWhyNotTheOthers) {
   EXPECT_THAT(result.out, HasSubstr("shafts"));
   EXPECT_THAT(result.out, HasSubstr("closed-form"));
   EXPECT_THAT(result.out, HasSubstr("left out\n"));
-  EXPECT_THAT(result.out, HasSubstr("shadow     because nothing in the scene casts"));
+  EXPECT_THAT(result.out, HasSubstr("shadow       because nothing in the scene casts"));
 }
 
 TEST(Explain, TheProjectsScenesAllNeedPlansOfTheirOwn) {

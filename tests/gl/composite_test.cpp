@@ -123,9 +123,9 @@ int largest_difference(const Planes& a, const Planes& b) {
 }
 
 std::string name_of(const PictureFormat& f) {
-  const char* matrices[] = {"rgb", "601", "709", "2020"};
+  const char* matrices[] = {"unknown", "rgb", "601", "709", "2020"};
   const char* chromas[] = {"420", "422", "444"};
-  const char* sitings[] = {"left", "centre", "topleft"};
+  const char* sitings[] = {"unknown", "left", "centre", "topleft"};
   return std::string(matrices[static_cast<int>(f.matrix)]) + (f.range == ColorRange::Full ? "_full_" : "_limited_") +
          std::to_string(f.bit_depth) + "bit_" + chromas[static_cast<int>(f.chroma)] + "_" +
          sitings[static_cast<int>(f.siting)] + "_transfer" + std::to_string(static_cast<int>(f.transfer));
@@ -206,7 +206,7 @@ TEST_F(CompositePassTest, DecodingAndEncodingReturnsEveryFormatsCodes) {
     Planes in(format);
     fill_with_displayable_codes(in);
     const Planes out = lay_over(in, glm::vec3(1.0F), glm::vec3(6e-8F));
-    // One step for the dither where a value falls between two; the contract is 2/255.
+    // One step for the dither where a value falls between two.
     EXPECT_LE(largest_difference(out, in), 1) << name_of(format);
   }
 }

@@ -134,7 +134,7 @@ TEST(ShaftExtremes, StillCameraGivesBitEqualFrames) {
 
 // The sun's place crosses the picture's edge, and passes from before the eye's plane to behind it. A small step of the
 // sun changes any technique's picture about as little as that of the march, which knows nothing of such places.
-TEST(ShaftExtremes, PictureIsContinuousWhereTheSunsPlaceCrossesTheEdgeAndInfinity) {
+TEST(ShaftExtremes, PictureIsContinuousWhereTheSunsPlaceCrossesAnEdgeAndInfinity) {
   const ShaftSettings march = parse_shaft_settings("march:steps=256");
   const double edge_deg = glm::degrees(std::atan(std::tan(glm::radians(25.0)) * 64.0 / 48.0));
   for (const double azimuth : {edge_deg, 90.0}) {

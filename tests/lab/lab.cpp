@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/ffmpeg.h"
 #include "ar/capture/v4l2/device.h"
 
 namespace ar::testing {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ar/capture/live/live_source.h"
+#include "ar/capture/devices/open_live_source.h"
 #include "tests/lab/uvc_descriptors.h"
 
 // What the tests in the camera lab share. They run inside tests/lab/boot.sh only.

@@ -3,8 +3,8 @@
 #include <libcamera/libcamera.h>
 #include <linux/v4l2-controls.h>
 
+#include "ar/capture/devices/camera_list.h"
 #include "ar/capture/libcamera/device.h"
-#include "ar/capture/live/camera_list.h"
 #include "tests/lab/lab.h"
 #include "tests/lab/webcam.h"
 

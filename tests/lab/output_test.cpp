@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "ar/capture/live/camera_list.h"
+#include "ar/capture/devices/camera_list.h"
 #include "ar/output/v4l2/v4l2_sink.h"
 #include "tests/lab/lab.h"
 

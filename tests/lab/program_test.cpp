@@ -13,7 +13,7 @@
 #include <sstream>
 #include <thread>
 
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 #include "tests/lab/lab.h"
 #include "tests/lab/running_program.h"
 #include "tests/lab/webcam.h"

@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 #include "tests/lab/lab.h"
 
 namespace ar::testing {

@@ -1,5 +1,5 @@
-// The places of edge-cases.md where sky code breaks, by their numbers there; those not here are in
-// sky_property_test.cpp (10 to 12, 17 to 19, 21, 23 to 25, 27 to 29) and sky_models_test.cpp (15, 24).
+// The places where sky code breaks, numbered in the order that published programs were seen to break there; those not
+// here are in sky_property_test.cpp (10 to 12, 17 to 19, 21, 23 to 25, 27 to 29) and sky_models_test.cpp (15, 24).
 
 #include <gtest/gtest.h>
 

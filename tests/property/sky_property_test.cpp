@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <set>
+#include <string>
 
 #include "render/sky/clear_sky_irradiance.h"
 #include "render/sky/hemisphere.h"
@@ -13,6 +14,7 @@
 #include "render/sky/perez.h"
 #include "render/sky/preetham.h"
 #include "render/sky/sky_light.h"
+#include "render/sky/sky_models.h"
 #include "render/sky/twilight.h"
 #include "render/sun/air_mass.h"
 #include "render/sun/refraction.h"
@@ -57,9 +59,18 @@ double total_lux(const SkyModel& sky, const SunPosition& sun, double turbidity) 
   return luminance(horizontal_illuminance(sky)) + direct * std::max(std::sin(sun.apparent_elevation_rad), 0.0);
 }
 
+// Of a family of skies the first, the middle and the last.
+std::set<std::string> one_word_or_three_of_each_model() {
+  std::set<std::string> words;
+  for (const SkyModelInfo& model : sky_models()) {
+    if (model.words.empty()) continue;
+    words.insert({model.words.front(), model.words[model.words.size() / 2], model.words.back()});
+  }
+  return words;
+}
+
 TEST(SkyProperty, EveryModelIsFiniteAndNotNegativeEverywhere) {
-  for (const char* model :
-       {"perez", "preetham", "preetham:rescaled", "cie:1", "cie:8", "cie:15", "scattering", "reference", "none"}) {
+  for (const std::string& model : one_word_or_three_of_each_model()) {
     for (const double turbidity : {1.0, 1.64, 3.0, 20.0}) {
       for (const double elevation : {-90.0, -18.0, -6.0, -0.833, -1e-9, 0.0, 0.01, 3.0, 60.0, 90.0}) {
         const SunPosition sun = sun_at(123.0, elevation);

@@ -4,8 +4,8 @@
 
 #include "ar/track/camera.h"
 #include "calib/boards/board.h"
+#include "calib/boards/observation.h"
 #include "calib/solve/lens_choice.h"
-#include "calib/views/observation.h"
 
 namespace calib::testing {
 

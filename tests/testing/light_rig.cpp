@@ -39,10 +39,13 @@ LightPictures LightRig::render(const SceneState& scene, const ShaftSettings& set
   out.shadow_was_rendered = shadow.update(scene, view, shadow_map_size, models);
   const ObjectsPicture& picture = objects.draw(scene, view, shadow, models);
   if (scene.medium) {
-    const ShaftPicture& shafts =
-        technique(settings).draw({.scene = scene, .view = view, .depth = picture.depth, .shadow = shadow});
-    out.shafts = read_pixels(shafts.texture, shafts.width, shafts.height, GL_FLOAT);
-    out.distance = read_pixels(shafts.distance, shafts.width, shafts.height, GL_FLOAT);
+    const ShaftInputs inputs{.scene = scene, .view = view, .depth = picture.depth, .shadow = shadow};
+    const ShaftPicture* shafts = &technique(settings).draw(inputs);
+    const bool tinted =
+        find_shaft_technique(settings.technique)->handles_translucency || shadow.translucent().fit.empty;
+    if (!tinted) shafts = &tint.draw(inputs, *shafts);
+    out.shafts = read_pixels(shafts->texture, shafts->width, shafts->height, GL_FLOAT);
+    out.distance = read_pixels(shafts->distance, shafts->width, shafts->height, GL_FLOAT);
   }
   out.added = read_pixels(picture.added, picture.width, picture.height, GL_FLOAT);
   out.multiplier = read_pixels(picture.multiplier, picture.width, picture.height, GL_UNSIGNED_INT_2_10_10_10_REV);

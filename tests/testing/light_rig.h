@@ -9,6 +9,7 @@
 
 #include "render/gl/context.h"
 #include "render/shafts/shaft_technique.h"
+#include "render/shafts/translucent_tint.h"
 #include "render/surface/objects_pass.h"
 
 namespace render::test {
@@ -34,7 +35,8 @@ struct LightPictures {
 // Shadow maps, objects and shafts of one scene after the other, on one context.
 class LightRig {
  public:
-  // The view is the scene's own camera, which has no lens. Shafts only where the scene has a medium.
+  // The view is the scene's own camera, which has no lens. Shafts only where the scene has a medium, tinted by its
+  // translucent occluders.
   LightPictures render(const SceneState& scene, const ShaftSettings& shafts = {.technique = "interleaved"},
                        int shadow_map_size = 2048);
 
@@ -45,6 +47,7 @@ class LightRig {
   GpuModels models;
   SunShadow shadow;
   ObjectsPass objects{4};
+  TranslucentTint tint;
 
  private:
   std::map<std::string, std::unique_ptr<ShaftTechnique>> techniques_;

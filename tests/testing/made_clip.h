@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 #include "ar/output/sink.h"
 
 namespace ar::testing {

@@ -9,9 +9,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
+
+#include "render/base/csv.h"
 
 namespace cli {
 namespace {
@@ -86,13 +87,8 @@ std::vector<std::string> Folder::names() const {
 std::vector<std::vector<std::string>> read_csv(const std::string& path) {
   std::vector<std::vector<std::string>> rows;
   std::ifstream in(path);
-  for (std::string line; std::getline(in, line);) {
-    std::vector<std::string> row;
-    std::istringstream fields(line);
-    for (std::string field; std::getline(fields, field, ',');) row.push_back(field);
-    if (line.ends_with(',')) row.emplace_back();
-    rows.push_back(row);
-  }
+  render::CsvRecords records(in);
+  while (auto record = records.next()) rows.push_back(std::move(*record));
   return rows;
 }
 

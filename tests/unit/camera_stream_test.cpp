@@ -8,9 +8,9 @@
 
 #include "ar/capture/color/color.h"
 #include "ar/capture/live/camera_controls.h"
+#include "ar/capture/live/camera_format.h"
 #include "ar/capture/live/dropped_frame_log.h"
 #include "ar/capture/live/frame_clock.h"
-#include "ar/capture/v4l2/camera_format.h"
 
 namespace ar {
 namespace {

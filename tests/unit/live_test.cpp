@@ -13,9 +13,9 @@
 #include "app/live/held_mark.h"
 #include "app/live/latest.h"
 #include "app/live/recorder.h"
-#include "app/live/reservoir.h"
 #include "app/live/tag_states.h"
-#include "ar/capture/file/ffmpeg.h"
+#include "app/pipeline/reservoir.h"
+#include "ar/capture/ffmpeg.h"
 #include "ar/error.h"
 #include "ar/output/frame_pool.h"
 
@@ -135,7 +135,7 @@ TEST(Governor, WithoutATargetItKeepsFullQuality) {
 TEST(QualityLadder, BeginsWithWhatIsAskedAndGetsCheaper) {
   render::Quality asked;
   asked.render_scale = 0.8;
-  const auto presets = app::quality_ladder(asked);
+  const auto presets = app::quality_presets(asked);
   ASSERT_GE(presets.size(), 3U);
   EXPECT_DOUBLE_EQ(presets.front().render_scale, 0.8);
   EXPECT_TRUE(presets.front().anti_alias);
@@ -255,7 +255,7 @@ TEST(Recorder, KeepsTimesAndPutsAHeldPictureAMillisecondBehindTheLast) {
   std::filesystem::remove(file);
 }
 
-TEST(HeldMark, StripesTheEdgesAndLeavesTheMiddle) {
+TEST(HeldMark, StripesAllEdgesAndLeavesTheMiddle) {
   constexpr int kWidth = 160;
   constexpr int kHeight = 90;
   std::vector<std::uint8_t> luma(kWidth * kHeight, 100);

@@ -5,15 +5,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "render/plan/features/features.h"
 #include "render/plan/screen_region.h"
 
 namespace {
 
-using render::PassKind;
 using render::Plan;
 using render::SceneState;
+using render::Target;
+using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::UnorderedElementsAre;
+namespace feature = render::feature;
 
 render::Instance box(bool real) {
   return {"box", std::make_shared<render::Model>(render::make_box({1.0F, 1.0F, 1.0F})), glm::dmat4(1.0), real};
@@ -37,15 +39,25 @@ render::Medium haze() {
   return medium;
 }
 
+Plan plan_of(const SceneState& scene, const render::Quality& quality = {}, Target target = Target::Video) {
+  return render::make_plan(scene, quality, target);
+}
+
+std::vector<std::string> names(const Plan& plan) {
+  std::vector<std::string> out;
+  for (const render::Pass& pass : plan.passes) out.emplace_back(pass.feature->name);
+  return out;
+}
+
 std::string omission(const Plan& plan, const std::string& name) {
   for (const render::Omission& o : plan.omitted) {
-    if (o.name == name) return o.reason;
+    if (o.feature->name == name) return o.reason;
   }
   return "";
 }
 
 TEST(Plan, AnEmptySceneIsPassedThrough) {
-  const Plan plan = render::make_plan(sunlit_scene(), {});
+  const Plan plan = plan_of(sunlit_scene());
   EXPECT_TRUE(plan.passes.empty());
   EXPECT_THAT(omission(plan, "composite"), HasSubstr("no objects and no medium"));
 }
@@ -55,7 +67,7 @@ TEST(Plan, NothingIsDrawnWhileThePoseIsUnknown) {
   scene.instances.push_back(box(false));
   scene.medium = haze();
   scene.draw_virtual = false;
-  const Plan plan = render::make_plan(scene, {});
+  const Plan plan = plan_of(scene);
   EXPECT_TRUE(plan.passes.empty());
   EXPECT_THAT(omission(plan, "objects"), HasSubstr("pose"));
 }
@@ -63,11 +75,11 @@ TEST(Plan, NothingIsDrawnWhileThePoseIsUnknown) {
 TEST(Plan, AThingInTheSunNeedsShadowAndObjectsButNoShafts) {
   SceneState scene = sunlit_scene();
   scene.instances.push_back(box(false));
-  const Plan plan = render::make_plan(scene, {});
-  EXPECT_TRUE(plan.has(PassKind::SunShadow));
-  EXPECT_TRUE(plan.has(PassKind::Objects));
-  EXPECT_TRUE(plan.has(PassKind::Composite));
-  EXPECT_FALSE(plan.has(PassKind::Shafts));
+  const Plan plan = plan_of(scene);
+  EXPECT_TRUE(plan.has(feature::kShadow));
+  EXPECT_TRUE(plan.has(feature::kObjects));
+  EXPECT_TRUE(plan.has(feature::kComposite));
+  EXPECT_FALSE(plan.has(feature::kShafts));
   EXPECT_THAT(omission(plan, "shafts"), HasSubstr("no medium"));
 }
 
@@ -76,27 +88,27 @@ TEST(Plan, WithoutTheSunThereIsNoShadowMap) {
   scene.instances.push_back(box(false));
   scene.medium = haze();
   ensure_sun(scene).illuminance_rgb = glm::dvec3(0.0);
-  const Plan plan = render::make_plan(scene, {});
-  EXPECT_FALSE(plan.has(PassKind::SunShadow));
+  const Plan plan = plan_of(scene);
+  EXPECT_FALSE(plan.has(feature::kShadow));
   EXPECT_THAT(omission(plan, "shadow"), HasSubstr("no sunlight"));
-  EXPECT_EQ(plan.shafts.technique, "closed-form");
+  EXPECT_EQ(plan.quality.shafts.technique, "closed-form");
 }
 
 TEST(Plan, AnOpenMediumIsSolvedInClosedForm) {
   SceneState scene = sunlit_scene();
   scene.medium = haze();
-  const Plan plan = render::make_plan(scene, {});
-  EXPECT_TRUE(plan.has(PassKind::Shafts));
-  EXPECT_EQ(plan.shafts.technique, "closed-form");
-  EXPECT_FALSE(plan.has(PassKind::Objects));
-  EXPECT_FALSE(plan.has(PassKind::SunShadow));
+  const Plan plan = plan_of(scene);
+  EXPECT_TRUE(plan.has(feature::kShafts));
+  EXPECT_EQ(plan.quality.shafts.technique, "closed-form");
+  EXPECT_FALSE(plan.has(feature::kObjects));
+  EXPECT_FALSE(plan.has(feature::kShadow));
 }
 
 TEST(Plan, OccludersInAMediumAreInterleaved) {
   SceneState scene = sunlit_scene();
   scene.instances.push_back(box(false));
   scene.medium = haze();
-  EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "interleaved");
+  EXPECT_EQ(plan_of(scene).quality.shafts.technique, "interleaved");
 }
 
 TEST(Plan, OccludersThatCannotShadowTheMediumCarveNoShafts) {
@@ -104,15 +116,15 @@ TEST(Plan, OccludersThatCannotShadowTheMediumCarveNoShafts) {
   scene.instances.push_back(box(false));
   scene.medium = haze();
   scene.medium->extent = render::Box{{-1.0, -6.0, 0.0}, {1.0, -4.0, 1.0}};  // on the box's sunny side
-  const Plan sunny_side = render::make_plan(scene, {});
-  EXPECT_EQ(sunny_side.shafts.technique, "closed-form");
-  EXPECT_TRUE(sunny_side.has(PassKind::SunShadow)) << "the box may still shade itself";
+  const Plan sunny_side = plan_of(scene);
+  EXPECT_EQ(sunny_side.quality.shafts.technique, "closed-form");
+  EXPECT_TRUE(sunny_side.has(feature::kShadow)) << "the box may still shade itself";
   scene.medium->extent = render::Box{{-1.0, 1.0, -3.0}, {1.0, 3.0, -1.0}};
-  EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "interleaved");
+  EXPECT_EQ(plan_of(scene).quality.shafts.technique, "interleaved");
   scene.medium->extent = render::Box{{0.51, 1.0, -3.0}, {1.0, 3.0, -1.0}};  // a centimetre beside its shadow
-  EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "closed-form");
+  EXPECT_EQ(plan_of(scene).quality.shafts.technique, "closed-form");
   ensure_sun(scene).angular_radius_rad = 0.00465;  // and within the penumbra
-  EXPECT_EQ(render::make_plan(scene, {}).shafts.technique, "interleaved");
+  EXPECT_EQ(plan_of(scene).quality.shafts.technique, "interleaved");
 }
 
 TEST(Plan, NoShadowMapWhereShadowsFallOnNothingDrawn) {
@@ -120,8 +132,8 @@ TEST(Plan, NoShadowMapWhereShadowsFallOnNothingDrawn) {
   scene.instances.push_back(box(true));
   scene.medium = haze();
   scene.medium->extent = render::Box{{-1.0, -6.0, 0.0}, {1.0, -4.0, 1.0}};
-  const Plan plan = render::make_plan(scene, {});
-  EXPECT_FALSE(plan.has(PassKind::SunShadow));
+  const Plan plan = plan_of(scene);
+  EXPECT_FALSE(plan.has(feature::kShadow));
   EXPECT_THAT(omission(plan, "shadow"), HasSubstr("into the medium"));
 }
 
@@ -130,45 +142,77 @@ TEST(Plan, AMediumWithoutExtinctionIsNone) {
   scene.instances.push_back(box(false));
   scene.medium = haze();
   scene.medium->extinction_per_m = 0.0;
-  const Plan plan = render::make_plan(scene, {});
-  EXPECT_FALSE(plan.has(PassKind::Shafts));
+  const Plan plan = plan_of(scene);
+  EXPECT_FALSE(plan.has(feature::kShafts));
   EXPECT_THAT(omission(plan, "shafts"), HasSubstr("extinction is zero"));
 }
 
 TEST(Plan, RealThingsAloneChangeNothing) {
   SceneState scene = sunlit_scene();
   scene.instances.push_back(box(true));
-  EXPECT_TRUE(render::make_plan(scene, {}).passes.empty());
+  EXPECT_TRUE(plan_of(scene).passes.empty());
 }
 
-TEST(Plan, EveryPassAndOmissionHasAReason) {
+TEST(Plan, RunsInTheOrderInWhichPassesNeedEachOther) {
   SceneState scene = sunlit_scene();
   scene.instances = {box(false), box(true)};
-  for (const bool with_medium : {false, true}) {
-    if (with_medium) scene.medium = haze();
-    const Plan plan = render::make_plan(scene, {});
-    for (const render::Pass& pass : plan.passes) EXPECT_FALSE(pass.reason.empty()) << pass.name;
-    for (const render::Omission& o : plan.omitted) EXPECT_FALSE(o.reason.empty()) << o.name;
-    std::vector<std::string> names;
-    for (const render::Pass& pass : plan.passes) names.push_back(pass.name);
-    for (const render::Omission& o : plan.omitted) names.push_back(o.name);
-    EXPECT_THAT(names, UnorderedElementsAre("upload", "shadow", "objects", "cascades", "shafts", "translucency",
-                                            "composite", "read"))
-        << "each is either there or accounted for";
+  scene.medium = haze();
+  render::Quality quality;
+  quality.shafts = render::parse_shaft_settings("march");
+  EXPECT_THAT(names(plan_of(scene, quality)),
+              ElementsAre("shadow", "objects", "cascades", "shafts", "upload", "composite", "read"))
+      << "how much of the real picture is uploaded depends on what was drawn";
+  EXPECT_THAT(names(plan_of(scene, quality, Target::Still)),
+              ElementsAre("background", "shadow", "objects", "cascades", "shafts", "composite", "read"));
+  EXPECT_THAT(names(plan_of(scene, quality, Target::Medium)),
+              ElementsAre("shadow", "objects", "cascades", "shafts", "medium"));
+}
+
+TEST(Plan, SmallLayersAreMergedAndLaidOverTheVideoOutsideTheGl) {
+  SceneState scene = sunlit_scene();
+  scene.medium = haze();
+  render::Quality quality;
+  quality.render_scale = 0.5;
+  EXPECT_THAT(names(plan_of(scene, quality)), ElementsAre("shafts", "merge", "read", "overlay"));
+  EXPECT_THAT(names(plan_of(scene, quality, Target::Still)), ElementsAre("background", "shafts", "composite", "read"))
+      << "stills are drawn at full size";
+}
+
+TEST(Plan, AStillOfAnEmptySceneShowsItsBackground) {
+  const Plan plan = plan_of(sunlit_scene(), {}, Target::Still);
+  EXPECT_THAT(names(plan), ElementsAre("background", "composite", "read"));
+  EXPECT_EQ(omission(plan, "objects"), "the scene has no objects and no medium");
+}
+
+TEST(Plan, TranslucentOccludersTintTheShaftsOfTechniquesThatLeaveItToThem) {
+  SceneState scene = sunlit_scene();
+  scene.instances.push_back(box(false));
+  EXPECT_THAT(omission(plan_of(scene), "translucency"), HasSubstr("no medium"));
+  scene.medium = haze();
+  EXPECT_THAT(omission(plan_of(scene), "translucency"), HasSubstr("no occluder lets coloured light through"));
+  render::Model pane = render::make_box({1.0F, 1.0F, 0.1F});
+  for (render::Material& material : pane.materials) material.alpha_mode = render::AlphaMode::Blend;
+  scene.instances.push_back({"pane", std::make_shared<render::Model>(std::move(pane)), glm::dmat4(1.0), false});
+  EXPECT_THAT(names(plan_of(scene)),
+              ElementsAre("shadow", "objects", "shafts", "translucency", "upload", "composite", "read"));
+  render::Quality quality;
+  for (const render::ShaftTechniqueInfo& info : render::shaft_techniques()) {
+    quality.shafts.technique = info.name;
+    EXPECT_NE(plan_of(scene, quality).has(feature::kTranslucency), info.handles_translucency) << info.name;
   }
 }
 
 TEST(Plan, AMapOfTheAirIsLeftOutWhereItsTexelsAreNotSeen) {
   SceneState scene = sunlit_scene();
   scene.instances.push_back(box(false));
-  EXPECT_THAT(omission(render::make_plan(scene, {}), "cascades"), HasSubstr("no medium"));
+  EXPECT_THAT(omission(plan_of(scene), "cascades"), HasSubstr("no medium"));
   scene.medium = haze();
-  EXPECT_THAT(omission(render::make_plan(scene, {}), "cascades"), HasSubstr("interleaved does not show"));
+  EXPECT_THAT(omission(plan_of(scene), "cascades"), HasSubstr("interleaved does not show"));
   render::Quality quality;
   quality.shafts = render::parse_shaft_settings("march:sun=disc");
-  EXPECT_THAT(omission(render::make_plan(scene, quality), "cascades"), HasSubstr("disc"));
+  EXPECT_THAT(omission(plan_of(scene, quality), "cascades"), HasSubstr("disc"));
   quality.shafts = render::parse_shaft_settings("march");
-  EXPECT_TRUE(render::make_plan(scene, quality).has(PassKind::CascadedShadow));
+  EXPECT_TRUE(plan_of(scene, quality).has(feature::kCascades));
 }
 
 render::View level_view() {

@@ -11,7 +11,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 #include "ar/track/tracker.h"
 
 namespace ar {

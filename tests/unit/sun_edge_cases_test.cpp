@@ -1,5 +1,5 @@
-// The places of edge-cases.md where sun code breaks, by their numbers there. 5 and 6 stand in sun_table_test.cpp, where
-// times are read.
+// The places where sun code breaks, numbered in the order that published programs were seen to break there. 5 and 6
+// stand in sun_table_test.cpp, where times are read.
 
 #include <gtest/gtest.h>
 

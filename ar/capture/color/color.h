@@ -6,17 +6,6 @@
 
 namespace ar {
 
-// How a stream names its colours, in the code points of ITU-T H.273 (2 or 0: unspecified), which containers, codecs
-// and FFmpeg's AVCOL_* share. Kept beside ColorInfo so that what goes out is tagged exactly as what came in.
-struct ColorTags {
-  int primaries = 2;
-  int transfer = 2;
-  int matrix = 2;
-  int range = 0;   // FFmpeg's AVColorRange: 0 unspecified, 1 limited, 2 full
-  int siting = 0;  // FFmpeg's AVChromaLocation: 0 unspecified, 1 left, 2 center, 3 top left
-  bool operator==(const ColorTags&) const = default;
-};
-
 // Unknown where the tag is unspecified or is one that nothing here renders (YCgCo, log transfers, ...).
 ColorInfo color_from_tags(const ColorTags& tags);
 // The plainest tags that read back as `color`.

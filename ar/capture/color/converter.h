@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/ffmpeg.h"
 
 namespace ar {
 

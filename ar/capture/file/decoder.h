@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/ffmpeg.h"
 
 namespace ar {
 

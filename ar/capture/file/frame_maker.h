@@ -5,7 +5,7 @@
 
 #include "ar/capture/color/converter.h"
 #include "ar/capture/color/orientation.h"
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 
 namespace ar {
 

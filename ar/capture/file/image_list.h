@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ar/capture/file/frame_maker.h"
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 
 namespace ar {
 

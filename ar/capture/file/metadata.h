@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/ffmpeg.h"
 #include "ar/capture/source.h"
 
 namespace ar {

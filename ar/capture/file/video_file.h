@@ -4,7 +4,7 @@
 
 #include "ar/capture/file/decoder.h"
 #include "ar/capture/file/frame_maker.h"
-#include "ar/capture/source.h"
+#include "ar/capture/file/open_source.h"
 
 namespace ar {
 

@@ -12,7 +12,7 @@ extern "C" {
 #include <cstring>
 #include <mutex>
 
-#include "ar/capture/v4l2/camera_format.h"
+#include "ar/capture/live/camera_format.h"
 #include "ar/error.h"
 
 namespace ar::lc {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/ffmpeg.h"
 #include "ar/capture/live/camera_mode.h"
 
 // What libcamera's words are in ours. Built for 0.0.3 and newer.

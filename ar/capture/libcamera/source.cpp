@@ -19,9 +19,9 @@ extern "C" {
 #include "ar/capture/libcamera/device.h"
 #include "ar/capture/libcamera/memory.h"
 #include "ar/capture/libcamera/requests.h"
+#include "ar/capture/live/camera_format.h"
 #include "ar/capture/live/dropped_frame_log.h"
 #include "ar/capture/live/frame_clock.h"
-#include "ar/capture/v4l2/camera_format.h"
 #include "ar/capture/v4l2/mjpeg_decoder.h"
 #include "ar/error.h"
 

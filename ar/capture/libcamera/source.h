@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ar/capture/live/camera_list.h"
+#include "ar/capture/live/camera_mode.h"
 #include "ar/capture/live/live_source.h"
 
 namespace ar {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "ar/error.h"
+#include "render/base/number.h"
 
 namespace ar {
 namespace {
@@ -69,13 +70,11 @@ ControlSetting parse_control_setting(const std::string& text) {
     setting.control = control;
     known = true;
   }
-  char* end = nullptr;
-  const double number = std::strtod(value.c_str(), &end);
-  const bool is_number = !value.empty() && *end == '\0' && std::isfinite(number);
+  const std::optional<double> number = render::parse_number(value);
   if (value == "lock") setting.mode = ControlSetting::Mode::Locked;
-  if (is_number) setting.mode = ControlSetting::Mode::Value;
-  if (is_number) setting.value = number;
-  if (known && (value == "auto" || value == "lock" || is_number)) return setting;
+  if (number) setting.mode = ControlSetting::Mode::Value;
+  if (number) setting.value = *number;
+  if (known && (value == "auto" || value == "lock" || number)) return setting;
   throw std::invalid_argument(fmt::format(
       "'{}' is no camera setting; give exposure=SECONDS, gain=NUMBER, focus=NUMBER or white-balance=KELVIN, or auto or "
       "lock in place of the number",

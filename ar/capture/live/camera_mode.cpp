@@ -7,7 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "ar/capture/v4l2/camera_format.h"
+#include "ar/capture/live/camera_format.h"
 
 namespace ar {
 namespace {

@@ -18,6 +18,14 @@ struct CameraMode {
   bool operator==(const CameraMode&) const = default;
 };
 
+// A camera that is plugged in.
+struct CameraListing {
+  std::string source;             // what open_live_source() takes: "v4l2:/dev/video0", "libcamera:..."
+  std::string name;               // "Integrated Camera"
+  std::vector<CameraMode> modes;  // all that it offers, formats that cannot be decoded too
+  std::string problem;            // why it cannot be used, and what to do; empty where it can
+};
+
 struct ModeChoice {
   CameraMode mode;
   double rate = 0.0;  // frames a second to ask the camera for

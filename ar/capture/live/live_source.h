@@ -59,9 +59,4 @@ class LiveSource {
   virtual CameraControls* controls() { return nullptr; }
 };
 
-// Opens "v4l2:/dev/video0", "v4l2:" (the first camera), "libcamera:ID", "libcamera:" or "file:CLIP" (played once at
-// its own rate) and starts it. Throws InputError: no such device, busy, no permission, nothing it offers fits; each
-// says what to do.
-std::unique_ptr<LiveSource> open_live_source(const std::string& specification, const LiveRequest& request);
-
 }  // namespace ar

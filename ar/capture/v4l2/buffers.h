@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/ffmpeg.h"
 #include "ar/capture/v4l2/device.h"
 
 namespace ar::v4l2 {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "ar/capture/file/ffmpeg.h"
+#include "ar/capture/ffmpeg.h"
 
 namespace ar {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ar/capture/v4l2/camera_format.h"
+#include "ar/capture/live/camera_format.h"
 #include "ar/capture/v4l2/device.h"
 
 namespace ar::v4l2 {

@@ -10,10 +10,10 @@
 
 #include "ar/capture/color/pixel_format.h"
 #include "ar/capture/file/frame_maker.h"
+#include "ar/capture/live/camera_format.h"
 #include "ar/capture/live/dropped_frame_log.h"
 #include "ar/capture/live/frame_clock.h"
 #include "ar/capture/v4l2/buffers.h"
-#include "ar/capture/v4l2/camera_format.h"
 #include "ar/capture/v4l2/controls.h"
 #include "ar/capture/v4l2/device.h"
 #include "ar/capture/v4l2/mjpeg_decoder.h"

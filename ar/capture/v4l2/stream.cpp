@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "ar/capture/v4l2/camera_format.h"
+#include "ar/capture/live/camera_format.h"
 #include "ar/error.h"
 
 namespace ar::v4l2 {

@@ -16,8 +16,8 @@ extern "C" {
 #include <vector>
 
 #include "ar/capture/color/converter.h"
+#include "ar/capture/live/camera_format.h"
 #include "ar/capture/live/mapped_memory.h"
-#include "ar/capture/v4l2/camera_format.h"
 #include "ar/capture/v4l2/device.h"
 #include "ar/error.h"
 #include "ar/output/frame_pool.h"

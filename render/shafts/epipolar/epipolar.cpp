@@ -47,7 +47,7 @@ void Epipolar::bind(const gl::Program& program, const CascadeOccluders& occluder
   }
 }
 
-// Along the lines, with line_places.vert.
+// Along the lines, with epipolar_samples.vert.
 void Epipolar::draw_samples_at(const gl::Program& program, const gl::Framebuffer& target, int more, int rows) const {
   program.set("half_size_px", 0.5F * glm::vec2(target.width(), target.height()));
   program.set("more", static_cast<float>(more));
@@ -77,7 +77,7 @@ void Epipolar::draw_samples(const ShaftInputs& inputs, std::span<const Cascade> 
 
 void Epipolar::draw_pairs(const LineLayout& layout) {
   to_pairs_.bind();
-  const std::array<float, 4> tells_nothing{0.0F, 0.0F, 1e9F, 1e9F};  // line_pairs.frag
+  const std::array<float, 4> tells_nothing{0.0F, 0.0F, 1e9F, 1e9F};  // epipolar_pairs.frag
   glClearBufferfv(GL_COLOR, 0, tells_nothing.data());
   pair_.use();
   layout.set(pair_);

@@ -12,7 +12,7 @@ namespace render {
 namespace {
 
 constexpr int kLargestNode = 1024;       // cells; the smallest has 16, each level four times as many as the one below
-constexpr double kDepthSteps = 65534.0;  // leaves.frag keeps depth in 16 bits
+constexpr double kDepthSteps = 65534.0;  // minmax_leaves.frag keeps depth in 16 bits
 
 // As lay_slices() says, for the line from `eye` along `across`, both in texels, over a map of that size.
 glm::vec4 slice_across(const glm::dvec2& across, const glm::dvec2& eye, const glm::dvec2& size) {

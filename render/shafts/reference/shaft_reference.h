@@ -48,7 +48,7 @@ struct ReferencePicture {
   double largest_error = 0.0;   // of any pixel and channel, relative to the largest luminance
 };
 
-// Light scattered towards the eye as DESIGN.md section 5 defines it, in double precision: the truth that the techniques
+// Light scattered towards the eye as docs/shafts.md defines it, in double precision: the truth that the techniques
 // are measured against. Sun (a direction, or a disc as the mean of many), sky, point lights. Shadow boundaries are
 // exact (ShadowSheet); between them integrals are closed forms, or quadrature to 1e-10. What is left is the sampling of
 // the sun's disc and of the sky, which is estimated and reported. All calls are const and may run on many threads.
