@@ -1,5 +1,7 @@
 // `sky:`, `sun:` and `exposure:`.
 
+#include <algorithm>
+
 #include "app/options/words.h"
 #include "app/scene_file/scene_keys.h"
 #include "ar/photometry/exposure.h"
@@ -9,6 +11,8 @@
 
 namespace app {
 namespace {
+
+constexpr double kBrightest = 1e9;  // lux and cd/m2: some thousand suns
 
 ValueShape sky_model_shape() {
   ValueShape shape = shapes::one_word_of({});
@@ -84,7 +88,8 @@ KeyTable<SceneSky> make_sky_keys() {
 void read_color(const YamlValue& value, SceneSun& sun) {
   const ValueShape& shape = sun_keys().shape().key("color").value;
   sun.color = read_vector(value, shape);
-  if (sun.color == glm::dvec3(0.0)) value.fail(accepted(shape));
+  // What is scaled to a luminance must have one to be scaled by.
+  if (std::max({sun.color.r, sun.color.g, sun.color.b}) < 1e-6) value.fail(accepted(shape));
   sun.has_color = true;
 }
 
@@ -100,11 +105,12 @@ KeyTable<SceneSun> make_sun_keys() {
               &SceneSun::elevation_rad, {"How high the sun stands.", "32"}, render::kRadPerDeg)
       .only_with({"azimuth_deg"})
       .or_else("by place and time")
-      .number("illuminance_lux", shapes::number_from_0("lux", "on a plane that faces the sun"),
+      .number("illuminance_lux", shapes::number_from_to(0.0, kBrightest, "lux", "on a plane that faces the sun"),
               &SceneSun::illuminance_lux, {"The sun's direct illuminance.", "90000"})
       .or_else(natural)
-      .add("color", shapes::numbers(3, "[red, green, blue]", "", {.least = 0.0}, "linear, not all 0"), read_color,
-           {"The sunlight's relative linear RGB (Rec. 709); its luminance stays.", "[1, 0.86, 0.68]"})
+      .add("color",
+           shapes::numbers(3, "[red, green, blue]", "", {.least = 0.0, .most = 1e6}, "linear, not all below 1e-6"),
+           read_color, {"The sunlight's relative linear RGB (Rec. 709); its luminance stays.", "[1, 0.86, 0.68]"})
       .or_else("white with `illuminance_lux`, else " + natural)
       .number("angular_radius_deg", shapes::number_from_to(0.0, 10.0, "degrees"), &SceneSun::angular_radius_rad,
               {"Angular radius of the disc that casts penumbrae; 0 casts hard shadows.", "0.267"}, render::kRadPerDeg)
@@ -126,7 +132,7 @@ KeyTable<double> make_exposure_keys() {
   table.exactly_one_of({"ev100", "white_luminance"})
       .add("ev100", shapes::number_from_to(-20.0, 30.0, "exposure value at ISO 100"), read_ev100,
            {"A camera set to that exposure value saturates at 1.2 · 2^EV cd/m² (ISO 12232).", "13.5"})
-      .add("white_luminance", shapes::number_above_0("cd/m2"), read_white_luminance,
+      .add("white_luminance", shapes::number_from_to(1e-6, kBrightest, "cd/m2"), read_white_luminance,
            {"Luminance that is shown as white.", "13500"})
       .example("{ white_luminance: 13500 }");
   return table;

@@ -29,21 +29,28 @@ std::string in_words(const Range& range) {
 }
 
 namespace shapes {
+namespace {
+
+// Single precision on the GPU holds products and quotients of a few such numbers.
+constexpr double kLargest = 1e9;
+constexpr double kSmallest = 1e-9;
+
+}  // namespace
 
 ValueShape number_in(Range range, std::string unit, std::string note) {
   return {.kind = ValueKind::Number, .unit = std::move(unit), .range = range, .note = std::move(note)};
 }
 
 ValueShape any_number(std::string unit, std::string note) {
-  return number_in({}, std::move(unit), std::move(note));
+  return number_in({.least = -kLargest, .most = kLargest}, std::move(unit), std::move(note));
 }
 
 ValueShape number_above_0(std::string unit) {
-  return number_in({.least = 0.0, .least_excluded = true}, std::move(unit));
+  return number_in({.least = kSmallest, .most = kLargest}, std::move(unit));
 }
 
 ValueShape number_from_0(std::string unit, std::string note) {
-  return number_in({.least = 0.0}, std::move(unit), std::move(note));
+  return number_in({.least = 0.0, .most = kLargest}, std::move(unit), std::move(note));
 }
 
 ValueShape number_from_to(double least, double most, std::string unit, std::string note) {
@@ -59,7 +66,7 @@ ValueShape heading() {
 }
 
 ValueShape world_position() {
-  return numbers(3, "[east, north, up]", "metres");
+  return numbers(3, "[east, north, up]", "metres", {.least = -kLargest, .most = kLargest});
 }
 
 ValueShape integer_from_to(int least, int most) {

@@ -43,6 +43,8 @@ struct ValueShape {
 namespace shapes {
 
 ValueShape number_in(Range range, std::string unit = "", std::string note = "");
+// Within what single precision can compute with: magnitudes of at most 1e9, and of at least 1e-9 where 0 is not
+// accepted.
 ValueShape any_number(std::string unit, std::string note = "");
 ValueShape number_above_0(std::string unit);
 ValueShape number_from_0(std::string unit, std::string note = "");

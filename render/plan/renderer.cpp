@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -19,6 +21,23 @@ namespace {
 
 void expect(Target target, const Plan& plan, const char* caller) {
   if (plan.target != target) throw std::logic_error(fmt::format("{}: the plan is for another target", caller));
+}
+
+// Pre-exposure of a still, whose luminances are divided by it again: half floats hold them, whatever exposure the
+// picture is shown at, where white paper is 1, and light scattered straight on from the sun at most 20,000.
+double still_exposure(const SceneState& scene) {
+  const Sun& sun = sun_of(scene);
+  const auto brightest = [](const glm::dvec3& rgb) { return std::max({rgb.r, rgb.g, rgb.b}); };
+  const double white = (brightest(sun.illuminance_rgb) * std::max(sun.direction_in_world.z, 0.0) +
+                        brightest(scene.sky_light.horizontal_illuminance_rgb)) /
+                       std::numbers::pi;
+  double most = std::max(white, 1e-3 * brightest(sun.illuminance_rgb));
+  if (scene.medium) {
+    const Medium& medium = *scene.medium;
+    const double peak = phase(medium.phase_function, medium.g, medium.g < 0.0 ? -1.0 : 1.0);
+    most = std::max(most, brightest(sun.illuminance_rgb) * peak * std::max(medium.shaft_gain, 1.0) / 20000.0);
+  }
+  return most > 0.0 ? 1.0 / most : scene.exposure;
 }
 
 }  // namespace
@@ -87,7 +106,9 @@ void Renderer::composite(const SceneState& scene, const Plan& plan, const Pictur
 
 LinearImage Renderer::render_linear(const SceneState& scene, const Plan& plan) {
   expect(Target::Still, plan, "render_linear");
-  Frame frame = impl_->frame_of(scene, plan);
+  SceneState exposed = scene;
+  exposed.exposure = still_exposure(scene);
+  Frame frame = impl_->frame_of(exposed, plan);
   impl_->run(frame);
   return std::move(frame.linear);
 }
@@ -95,7 +116,9 @@ LinearImage Renderer::render_linear(const SceneState& scene, const Plan& plan) {
 MediumImage Renderer::render_medium(const SceneState& scene, const Plan& plan) {
   expect(Target::Medium, plan, "render_medium");
   if (!plan.has(feature::kMedium)) throw std::logic_error("render_medium: the plan has no medium");
-  Frame frame = impl_->frame_of(scene, plan);
+  SceneState exposed = scene;
+  exposed.exposure = still_exposure(scene);
+  Frame frame = impl_->frame_of(exposed, plan);
   impl_->run(frame);
   return std::move(frame.medium);
 }

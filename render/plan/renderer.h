@@ -17,7 +17,7 @@ namespace render {
 // Time of one pass of the last frame.
 struct PassTime {
   std::string name;
-  double gpu_ms = 0.0;   // GL timer query; 0 where the driver has none
+  double gpu_ms = 0.0;   // GL timer query; 0 where the driver has none, or draws in software
   double wall_ms = 0.0;  // with glFinish around it when timing is on
   double cpu_ms = 0.0;   // processor time of all threads in it: what a software rasteriser costs on a busy machine too
 };

@@ -145,6 +145,38 @@ TEST(Renderer, TintsShaftsOnlyByThePlan) {
   EXPECT_LT(red_sum.b / red_sum.r, 0.99 * grey_sum.b / grey_sum.r);
 }
 
+// Half floats end at 65504, which times an exposure for the night is little luminance by day.
+TEST(Renderer, AStillsLuminanceDoesNotDependOnTheExposureItIsShownAt) {
+  render::SceneState scene = render::test::sunny(200.0, 30.0, 0.0);
+  scene.instances = {render::test::place(render::make_box({1.0, 1.0, 2.0}), {0.0, 0.0, 1.0}, false)};
+  scene.camera = render::test::look_at(64, 48, {0.0, -7.0, 1.8}, {0.3, 0.0, 1.3}, 45.0);
+  scene.medium.emplace();
+  scene.medium->extinction_per_m = 0.08;
+  const Plan plan = render::make_plan(scene, {}, Target::Still);
+  scene.exposure = 1.0 / 20000.0;
+  const render::LinearImage by_day = renderer().render_linear(scene, plan);
+  for (const double exposure : {1e-12, 53.0, 1e6}) {  // 53: EV100 of -6
+    scene.exposure = exposure;
+    const render::LinearImage same = renderer().render_linear(scene, plan);
+    for (std::size_t i = 0; i < same.rgb.size(); ++i) {
+      ASSERT_EQ(same.rgb[i], by_day.rgb[i]) << "exposure " << exposure << ", pixel " << i;
+    }
+  }
+}
+
+// Its timer tells a fraction of what passes take.
+TEST(Renderer, TakesNoGlTimesOfASoftwareRasteriser) {
+  if (!render::test::rig().context.is_software()) GTEST_SKIP() << "drawn by a GPU";
+  renderer().enable_timing(true);
+  const Still still = std::move(small_stills().front());
+  renderer().render_linear(still.state, render::make_plan(still.state, {}, Target::Still));
+  for (const render::PassTime& pass : renderer().pass_times()) {
+    EXPECT_EQ(pass.gpu_ms, 0.0) << pass.name;
+    EXPECT_GT(pass.wall_ms, 0.0) << pass.name;
+  }
+  renderer().enable_timing(false);
+}
+
 TEST(Renderer, RefusesAPlanForAnotherTarget) {
   const Still still = std::move(small_stills().front());
   const Plan of_still = render::make_plan(still.state, {}, Target::Still);

@@ -16,5 +16,14 @@ TEST(Quadrature, ReportsAnErrorThatBoundsItsOwn) {
   EXPECT_LT(root.error, 2e-6);
 }
 
+TEST(Quadrature, EndsAndSaysHowGoodItIsWhereNothingConverges) {
+  int calls = 0;
+  const Quadrature noise = integrate([&](double) { return ++calls % 2 == 0 ? 1.0 : 0.0; }, 0.0, 1.0, 1e-12);
+  EXPECT_LT(calls, 100000);
+  EXPECT_GT(noise.error, 0.0);
+  const Quadrature cliff = integrate([](double x) { return std::exp(-1e6 * x); }, 0.0, 1.0, 1e-10);
+  EXPECT_NEAR(cliff.value, 1e-6, 1e-15);
+}
+
 }  // namespace
 }  // namespace render

@@ -1,5 +1,6 @@
 #include "render/scene/gltf/material.h"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <array>
@@ -48,12 +49,13 @@ glm::mat3 texture_transform(const Json& extension, const std::string& where) {
       glm::dmat3(c * scale[0], -s * scale[0], 0.0, s * scale[1], c * scale[1], 0.0, offset[0], offset[1], 1.0));
 }
 
+float check_range(double value, double least, double most, const char* key, const std::string& where) {
+  if (value >= least && value <= most) return static_cast<float>(value);
+  throw std::runtime_error(fmt::format("{}: `{}` is {:g}, accepted is {:g} to {:g}", where, key, value, least, most));
+}
+
 float in_unit_range(const Json& object, const char* key, double otherwise, const std::string& where) {
-  const double value = number_or(object, key, otherwise, where);
-  if (!(value >= 0.0 && value <= 1.0)) {
-    throw std::runtime_error(where + ": `" + key + "` is " + std::to_string(value) + ", accepted is 0 to 1");
-  }
-  return static_cast<float>(value);
+  return check_range(number_or(object, key, otherwise, where), 0.0, 1.0, key, where);
 }
 
 AlphaMode alpha_mode(const Json& material, const std::string& where) {
@@ -145,6 +147,7 @@ MaterialSource MaterialReader::read(std::size_t material_index) {
   const Json& pbr = found ? *found : kNone;
   std::array<double, 4> color{1.0, 1.0, 1.0, 1.0};
   numbers(pbr, "baseColorFactor", color, where);
+  for (const double factor : color) check_range(factor, 0.0, 1.0, "baseColorFactor", where);
   material.base_color = glm::vec4(glm::dvec4(color[0], color[1], color[2], color[3]));
   material.metallic = in_unit_range(pbr, "metallicFactor", 1.0, where);
   material.roughness = in_unit_range(pbr, "roughnessFactor", 1.0, where);
@@ -152,7 +155,7 @@ MaterialSource MaterialReader::read(std::size_t material_index) {
   use(pbr, "metallicRoughnessTexture", material.metallic_roughness_texture, source, where);
   use(json, "normalTexture", material.normal_texture, source, where);
   if (const Json* info = find(json, "normalTexture")) {
-    material.normal_scale = static_cast<float>(number_or(*info, "scale", 1.0, where));
+    material.normal_scale = check_range(number_or(*info, "scale", 1.0, where), -1e3, 1e3, "scale", where);
   }
   use(json, "emissiveTexture", material.emissive_texture, source, where);
   use(json, "occlusionTexture", material.occlusion_texture, source, where);
@@ -161,11 +164,13 @@ MaterialSource MaterialReader::read(std::size_t material_index) {
   }
   std::array<double, 3> emissive{0.0, 0.0, 0.0};
   numbers(json, "emissiveFactor", emissive, where);
+  for (const double factor : emissive) check_range(factor, 0.0, 1.0, "emissiveFactor", where);
   const Json* strength = extension(json, "KHR_materials_emissive_strength");
   const double scale = strength ? number_or(*strength, "emissiveStrength", 1.0, where) : 1.0;
+  check_range(scale, 0.0, 1e6, "emissiveStrength", where);
   material.emissive = glm::vec3(glm::dvec3(emissive[0], emissive[1], emissive[2]) * scale);
   material.alpha_mode = alpha_mode(json, where);
-  material.alpha_cutoff = static_cast<float>(number_or(json, "alphaCutoff", 0.5, where));
+  material.alpha_cutoff = check_range(number_or(json, "alphaCutoff", 0.5, where), 0.0, 1e3, "alphaCutoff", where);
   material.double_sided = flag_or(json, "doubleSided", false, where);
   return source;
 }

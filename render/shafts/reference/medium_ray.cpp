@@ -19,10 +19,16 @@ double fall_off(double x) {
   return x == 0.0 ? 1.0 : -std::expm1(-x) / x;
 }
 
+// Light that runs along a box's faces never comes through them. A component of that size is what rounding leaves of a
+// right angle; divided by, it would make ways of metres of a point's own rounding.
+bool runs_along(double component) {
+  return std::abs(component) < 1e-12;
+}
+
 double sun_way_m(const Box& box, const glm::dvec3& point, const glm::dvec3& sun) {
   double way = kEndless;
   for (int i = 0; i < 3; ++i) {
-    if (sun[i] == 0.0) continue;
+    if (runs_along(sun[i])) continue;
     way = std::min(way, ((sun[i] > 0.0 ? box.max_in_world : box.min_in_world)[i] - point[i]) / sun[i]);
   }
   return std::max(way, 0.0);
@@ -34,7 +40,7 @@ void add_face_changes(const Box& box, const ViewRay& ray, const glm::dvec3& sun,
   const double to = places.back();
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
-    if (sun[i] == 0.0 || sun[j] == 0.0) continue;
+    if (runs_along(sun[i]) || runs_along(sun[j])) continue;
     const auto start = [&](int k) {
       return ((sun[k] > 0.0 ? box.max_in_world : box.min_in_world)[k] - ray.origin_in_world[k]) / sun[k];
     };
@@ -59,8 +65,10 @@ std::optional<Segment> inside(const std::optional<Box>& extent, const ViewRay& r
     const double low = extent->min_in_world[i] - ray.origin_in_world[i];
     const double high = extent->max_in_world[i] - ray.origin_in_world[i];
     const double along = ray.direction_in_world[i];
-    if (along == 0.0) {
-      if (low > 0.0 || high < 0.0) return std::nullopt;
+    if (runs_along(along)) {
+      // Points that were computed to lie on a face lie beside it by rounding.
+      const double rounding = 1e-12 * (std::abs(low) + std::abs(high) + std::abs(ray.origin_in_world[i]));
+      if (low > rounding || high < -rounding) return std::nullopt;
       continue;
     }
     segment.from_m = std::max(segment.from_m, std::min(low / along, high / along));

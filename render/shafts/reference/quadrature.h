@@ -11,8 +11,9 @@ struct Quadrature {
 };
 
 // Integral of a smooth function over [from, to] by Gauss-Kronrod 7-15 (Kronrod 1965; nodes as in QUADPACK's qk15),
-// halving what is not yet as accurate as `relative` of the whole or `absolute`. Split at jumps before: the rule
-// converges fast only where the function is smooth. Stops at machine precision; the error says how good it is then.
+// halving the piece with the largest error (QUADPACK's qag) until the sum is as accurate as `relative` of itself or
+// `absolute`. Split at jumps before: the rule converges fast only where the function is smooth. Always ends: at machine
+// precision, or after a thousand pieces; the error says how good it is then.
 Quadrature integrate(const std::function<double(double)>& function, double from, double to, double relative = 1e-9,
                      double absolute = 0.0);
 
