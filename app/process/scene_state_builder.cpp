@@ -11,10 +11,6 @@
 #include "app/error.h"
 #include "ar/error.h"
 #include "render/base/angles.h"
-#include "render/sky/moon.h"
-#include "render/sky/sky_light.h"
-#include "render/sky/sky_model.h"
-#include "render/sun/sun.h"
 
 namespace app {
 namespace {
@@ -25,7 +21,7 @@ render::Place to_render(const ar::GeoPosition& place) {
   return {place.latitude_deg / render::kDegPerRad, place.longitude_deg / render::kDegPerRad, place.height_m};
 }
 
-void check_sun_is_known(const SceneSun& sun, const Conditions& conditions) {
+void check_sun_is_known(const render::GivenSun& sun, const Conditions& conditions) {
   if (sun.azimuth_rad || (conditions.place && conditions.time)) return;
   const char* missing = conditions.place ? "the time" : conditions.time ? "the place" : "place and time";
   throw UsageError(fmt::format(
@@ -34,20 +30,13 @@ void check_sun_is_known(const SceneSun& sun, const Conditions& conditions) {
       missing));
 }
 
-std::shared_ptr<const render::SkyModel> sky_for(const SceneSky& sky, const render::SkyOptions& options,
-                                                const render::SunPosition& sun) {
-  if (options.model == "none") return nullptr;
-  try {
-    return render::make_sky(options, sun);
-  } catch (const std::runtime_error& error) {
-    throw ar::InputError(sky.where + ": " + error.what());
-  }
-}
-
-glm::dvec3 sun_illuminance_rgb(const SceneSun& sun, const glm::dvec3& natural) {
-  const double lux = sun.illuminance_lux.value_or(glm::dot(natural, kRec709));
-  if (sun.has_color || sun.illuminance_lux) return sun.color * (lux / glm::dot(sun.color, kRec709));
-  return natural;
+// A sun that the scene puts somewhere stands there in still air, and no moon comes up against it.
+render::DaylightRequest daylight_request(const SceneSky& sky, const render::GivenSun& sun,
+                                         const Conditions& conditions) {
+  render::DaylightRequest request{.sun = sun, .sky = sky.options};
+  if (conditions.place && sun.azimuth_rad) request.sky.height_m = conditions.place->height_m;
+  if (conditions.place && !sun.azimuth_rad) request.place = to_render(*conditions.place);
+  return request;
 }
 
 render::Instance to_instance(const SceneInstance& placed) {
@@ -67,58 +56,32 @@ SceneStateBuilder::SceneStateBuilder(const SceneFile& scene, const Conditions& c
   for (const SceneInstance& instance : scene.instances) state_.instances.push_back(to_instance(instance));
   state_.medium = scene.medium;
   light(0);
-  for (const std::string& message : render::beyond_range(sky_options(0), sun_at(0))) spdlog::warn(message);
   state_.exposure = exposure_.value_or(state_.exposure);
-}
-
-render::SunPosition SceneStateBuilder::sun_at(std::int64_t second) const {
-  if (sun_.azimuth_rad) {
-    render::SunPosition sun;
-    sun.azimuth_rad = *sun_.azimuth_rad;
-    sun.elevation_rad = *sun_.elevation_rad;
-    sun.apparent_elevation_rad = *sun_.elevation_rad;
-    return sun;
-  }
-  return render::sun_position(to_render(*conditions_.place), *conditions_.time + std::chrono::seconds(second));
-}
-
-// The scene's sky at that second: clouds drift with the time of day, the moon stands where place and time put it.
-render::SkyOptions SceneStateBuilder::sky_options(std::int64_t second) const {
-  render::SkyOptions options = sky_.options;
-  if (conditions_.place) options.height_m = conditions_.place->height_m;
-  if (!conditions_.time) return options;
-  const render::UtcTime now = *conditions_.time + std::chrono::seconds(second);
-  const auto midnight = std::chrono::floor<std::chrono::days>(now);
-  options.clouds.time_s = std::chrono::duration<double>(now - midnight).count();
-  if (conditions_.place && !sun_.azimuth_rad) {
-    options.moon = render::moon_position(to_render(*conditions_.place), now);
-  }
-  return options;
 }
 
 void SceneStateBuilder::light(std::int64_t second) {
   if (second_ == second) return;
+  const bool first = !second_;
   second_ = second;
-  const render::SunPosition sun = sun_at(second);
-  render::Sun& light = ensure_sun(state_);
-  light.direction_in_world = sun.apparent_direction_in_world();
-  const render::SkyOptions options = sky_options(second);
-  const render::SunLight natural = render::sun_light(sun, options.turbidity, options.height_m);
-  light.illuminance_rgb = sun_illuminance_rgb(sun_, natural.illuminance_rgb);
-  light.angular_radius_rad = sun_.angular_radius_rad.value_or(natural.shadow_radius_rad);
-  state_.sky = sky_for(sky_, options, sun);
-  light.is_moon = false;
-  if (options.moon && !sun_.illuminance_lux && light.illuminance_rgb == glm::dvec3(0.0)) {
-    // Once the sun is down, the moon casts the shadows.
-    const glm::dvec3 moonlight = render::moon_illuminance_rgb(*options.moon, options.turbidity);
-    if (moonlight != glm::dvec3(0.0)) {
-      light = {options.moon->apparent_direction_in_world(), moonlight, light.angular_radius_rad, true};
-    }
+  render::DaylightRequest request = daylight_request(sky_, sun_, conditions_);
+  if (conditions_.time) request.time = *conditions_.time + std::chrono::seconds(second);
+  const render::Daylight daylight = daylight_or_input_error(request);
+  if (first) {
+    for (const std::string& message : render::beyond_range(daylight)) spdlog::warn(message);
   }
-  if (state_.sky) light.illuminance_rgb *= state_.sky->transmittance(light.direction_in_world);
-  const glm::dvec3 on_level_ground = light.illuminance_rgb * std::max(0.0, light.direction_in_world.z);
-  state_.sky_light =
-      state_.sky ? render::sky_light(*state_.sky, on_level_ground, sky_.ground_albedo) : render::SkyLight{};
+  const render::DirectLight& direct = daylight.direct;
+  ensure_sun(state_) = {direct.direction_in_world, direct.illuminance_rgb, direct.angular_radius_rad, direct.is_moon};
+  const bool dark = daylight.sky_options.model == "none";
+  state_.sky = dark ? nullptr : daylight.sky;
+  state_.sky_light = dark ? render::SkyLight{} : render::sky_light(daylight, sky_.ground_albedo);
+}
+
+render::Daylight SceneStateBuilder::daylight_or_input_error(const render::DaylightRequest& request) const {
+  try {
+    return render::daylight(request);
+  } catch (const std::runtime_error& error) {
+    throw ar::InputError(sky_.where + ": " + error.what());
+  }
 }
 
 render::SceneState SceneStateBuilder::at(double elapsed_s) {

@@ -7,6 +7,7 @@
 
 #include "app/process/conditions.h"
 #include "app/scene_file/scene_file.h"
+#include "render/daylight/daylight.h"
 #include "render/scene/scene_state.h"
 
 namespace app {
@@ -27,11 +28,10 @@ class SceneStateBuilder {
 
  private:
   void light(std::int64_t second);
-  render::SunPosition sun_at(std::int64_t second) const;
-  render::SkyOptions sky_options(std::int64_t second) const;
+  render::Daylight daylight_or_input_error(const render::DaylightRequest& request) const;
 
   SceneSky sky_;
-  SceneSun sun_;
+  render::GivenSun sun_;
   Conditions conditions_;
   std::optional<double> exposure_;
   std::optional<std::int64_t> second_;

@@ -85,34 +85,33 @@ KeyTable<SceneSky> make_sky_keys() {
   return table;
 }
 
-void read_color(const YamlValue& value, SceneSun& sun) {
+void read_color(const YamlValue& value, render::GivenSun& sun) {
   const ValueShape& shape = sun_keys().shape().key("color").value;
-  sun.color = read_vector(value, shape);
+  sun.color_rgb = read_vector(value, shape);
   // What is scaled to a luminance must have one to be scaled by.
-  if (std::max({sun.color.r, sun.color.g, sun.color.b}) < 1e-6) value.fail(accepted(shape));
-  sun.has_color = true;
+  if (std::max({sun.color_rgb->r, sun.color_rgb->g, sun.color_rgb->b}) < 1e-6) value.fail(accepted(shape));
 }
 
-KeyTable<SceneSun> make_sun_keys() {
+KeyTable<render::GivenSun> make_sun_keys() {
   const std::string natural = "by place, time and turbidity";
-  KeyTable<SceneSun> table;
+  KeyTable<render::GivenSun> table;
   table
-      .number("azimuth_deg", shapes::heading(), &SceneSun::azimuth_rad,
+      .number("azimuth_deg", shapes::heading(), &render::GivenSun::azimuth_rad,
               {"Where the sun stands, not where its light goes.", "135"}, render::kRadPerDeg)
       .only_with({"elevation_deg"})
       .or_else("by place and time")
       .number("elevation_deg", shapes::number_from_to(-90.0, 90.0, "degrees", "above the horizon"),
-              &SceneSun::elevation_rad, {"How high the sun stands.", "32"}, render::kRadPerDeg)
+              &render::GivenSun::elevation_rad, {"How high the sun stands.", "32"}, render::kRadPerDeg)
       .only_with({"azimuth_deg"})
       .or_else("by place and time")
       .number("illuminance_lux", shapes::number_from_to(0.0, kBrightest, "lux", "on a plane that faces the sun"),
-              &SceneSun::illuminance_lux, {"The sun's direct illuminance.", "90000"})
+              &render::GivenSun::illuminance_lux, {"The sun's direct illuminance.", "90000"})
       .or_else(natural)
       .add("color",
            shapes::numbers(3, "[red, green, blue]", "", {.least = 0.0, .most = 1e6}, "linear, not all below 1e-6"),
            read_color, {"The sunlight's relative linear RGB (Rec. 709); its luminance stays.", "[1, 0.86, 0.68]"})
       .or_else("white with `illuminance_lux`, else " + natural)
-      .number("angular_radius_deg", shapes::number_from_to(0.0, 10.0, "degrees"), &SceneSun::angular_radius_rad,
+      .number("angular_radius_deg", shapes::number_from_to(0.0, 10.0, "degrees"), &render::GivenSun::angular_radius_rad,
               {"Angular radius of the disc that casts penumbrae; 0 casts hard shadows.", "0.267"}, render::kRadPerDeg)
       .or_else("the sun's own, for its limb-darkened disc")
       .example("{ azimuth_deg: 135, elevation_deg: 32, illuminance_lux: 90000 }");
@@ -145,8 +144,8 @@ const KeyTable<SceneSky>& sky_keys() {
   return table;
 }
 
-const KeyTable<SceneSun>& sun_keys() {
-  static const KeyTable<SceneSun> table = make_sun_keys();
+const KeyTable<render::GivenSun>& sun_keys() {
+  static const KeyTable<render::GivenSun> table = make_sun_keys();
   return table;
 }
 

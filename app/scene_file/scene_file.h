@@ -9,6 +9,7 @@
 
 #include "ar/place/place.h"
 #include "ar/track/tag_map.h"
+#include "render/daylight/daylight.h"
 #include "render/medium/medium.h"
 #include "render/plan/plan.h"
 #include "render/scene/model.h"
@@ -21,16 +22,6 @@ struct SceneSky {
   render::SkyOptions options;
   double ground_albedo = 0.2;
   std::string where;
-};
-
-// `sun:`: what is given replaces what place and time would say.
-struct SceneSun {
-  std::optional<double> azimuth_rad;
-  std::optional<double> elevation_rad;  // of the sun; both angles or neither
-  std::optional<double> illuminance_lux;
-  glm::dvec3 color{1.0};  // relative linear RGB; the luminance of the light is illuminance_lux
-  bool has_color = false;
-  std::optional<double> angular_radius_rad;
 };
 
 // `view:`: the camera of stills and benchmarks.
@@ -61,7 +52,7 @@ struct SceneFile {
   std::optional<render::Medium> medium;
   std::vector<SceneInstance> instances;
   std::optional<SceneView> view;
-  SceneSun sun;
+  render::GivenSun sun;  // `sun:`: what is given replaces what place and time would say; both angles or neither
   std::optional<double> exposure;  // display-linear per cd/m2
   render::Quality quality;
 };

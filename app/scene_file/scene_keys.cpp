@@ -87,7 +87,7 @@ KeyTable<SceneFile> make_scene_keys() {
            {"What is given here replaces what place and time say of the sun.", sun_keys().shape().example})
       .map("exposure", exposure_keys(), &SceneFile::exposure,
            {"The camera's exposure.", exposure_keys().shape().example})
-      .or_else("estimated from the picture, or by the light on level ground")
+      .or_else("the video's metadata, else estimated from pictures and light")
       .map("quality", quality_keys(), &SceneFile::quality,
            {"Accuracy and speed of the rendering.", quality_keys().shape().example})
       .not_yet({"lights", "portals"});

@@ -30,7 +30,7 @@ const KeyTable<render::Medium>& medium_keys();
 const KeyTable<SceneInstance>& object_keys();
 const KeyTable<SceneInstance>& real_keys();
 const KeyTable<SceneView>& view_keys();
-const KeyTable<SceneSun>& sun_keys();
+const KeyTable<render::GivenSun>& sun_keys();
 const KeyTable<double>& exposure_keys();  // display-linear per cd/m2
 const KeyTable<render::Quality>& quality_keys();
 

@@ -4,7 +4,7 @@
 
 namespace render {
 
-// Each model says what it is in the file that makes it; sky_models() lists them in this order.
+// Each model says what it is in the file that makes it.
 SkyModelInfo perez_model();
 SkyModelInfo preetham_model();
 SkyModelInfo preetham_rescaled_model();
@@ -13,5 +13,10 @@ SkyModelInfo scattering_model();
 SkyModelInfo reference_model();
 SkyModelInfo image_model();
 SkyModelInfo black_model();
+
+// All of them, in the order of the documents: what sky_models() holds.
+inline constexpr SkyModelInfo (*kSkyModels[])() = {perez_model, preetham_model,   preetham_rescaled_model,
+                                                   cie_model,   scattering_model, reference_model,
+                                                   image_model, black_model};
 
 }  // namespace render

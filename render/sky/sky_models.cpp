@@ -26,9 +26,11 @@ bool SkyModelInfo::is_named_by(const std::string& word) const {
 }
 
 const std::vector<SkyModelInfo>& sky_models() {
-  static const std::vector<SkyModelInfo> models{perez_model(), preetham_model(),   preetham_rescaled_model(),
-                                                cie_model(),   scattering_model(), reference_model(),
-                                                image_model(), black_model()};
+  static const std::vector<SkyModelInfo> models = [] {
+    std::vector<SkyModelInfo> all;
+    for (const auto& model : kSkyModels) all.push_back(model());
+    return all;
+  }();
   return models;
 }
 

@@ -33,7 +33,7 @@ struct SkyModelInfo {
   bool is_named_by(const std::string& word) const;
 };
 
-// All models, in the order of the documents. A new one is listed in sky_models.cpp and made in a file of its own.
+// All models, in the order of the documents. A new one is made in a file of its own and listed in sky_model_list.h.
 const std::vector<SkyModelInfo>& sky_models();
 
 // The model that the word names, "cie:12" say; nullptr where there is none. Whether the argument after a colon means
