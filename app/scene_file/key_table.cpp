@@ -18,7 +18,10 @@ void check_company(const YamlMap& map, const MapShape& shape) {
   for (const KeyShape& key : shape.keys) {
     const auto value = map.find(key.name);
     if (!value || key.only_with.empty() || has_any(map, key.only_with)) continue;
-    if (key.only_with.size() == 1) {
+    // Where another of the choices is there, the key is one too many; else its company is missing.
+    const auto& choices = shape.exactly_one_of;
+    const bool is_choice = std::find(choices.begin(), choices.end(), key.only_with.front()) != choices.end();
+    if (!is_choice && key.only_with.size() == 1) {
       const KeyShape& other = shape.key(key.only_with.front());
       map.value().fail_found(fmt::format("no '{}' beside '{}'", other.name, key.name),
                              fmt::format("{}: {}", other.name, accepted(other.value)));

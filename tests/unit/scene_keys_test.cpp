@@ -213,7 +213,8 @@ TEST_F(SceneKeys, CombinationsThatMeanNothingAreRefused) {
   expect("sun: { color: [1, -1, 0] }", "sun.color[1]: found '-1'");
   expect("real: [ { box: { size: [1, 1, 1] }, scale: 2 } ]", "real[0].scale: found 'scale' without model");
   expect("real: [ { plane: ground, box: { size: [1, 1, 1] } } ]", "real[0]: found 'plane' and 'box' together");
-  expect("tags: { family: tag36h11, file: tags.yaml }", "tags: found no 'map' beside 'family'");
+  expect("tags: { family: tag36h11, file: tags.yaml }",
+         "tags.family: found 'family' without map; accepted: family beside map only");
   expect("tags: { map: [ { id: 0, position: [0, 0, 0], flat: { top_edge_heading_deg: 0 } } ] }",
          "tags.map[0]: found no size here nor for all tags");
   expect(
