@@ -75,6 +75,7 @@ struct SunShadow::Impl {
   gl::VertexArray no_vertices;
   gl::Sampler plain = gl::Sampler::plain();
   gl::LayeredTexture depth;  // a layer for each kind of occluders that there is
+  std::array<bool, kOccluderKinds.size()> has_layer{};
   DepthBounds bounds;
   std::array<Slot, kOccluderKinds.size()> slots;
   TranslucentShadow translucent;
@@ -83,16 +84,13 @@ struct SunShadow::Impl {
 
   // Layers of that size for the kinds that there are; all is to be rendered anew where they change.
   void make_storage(const std::array<bool, kOccluderKinds.size()>& there, int size, GLenum format) {
-    int layers = 0;
-    bool moved = false;
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-      const int layer = there[i] ? layers++ : 0;
-      moved = moved || layer != slots[i].map.layer;
-      slots[i].map.layer = layer;
-    }
+    const int layers = static_cast<int>(std::ranges::count(there, true));
     if (layers == 0) return;
     const bool same = depth.width() == size && depth.internal_format() == format && depth.layers() == layers;
-    if (same && !moved) return;
+    if (same && there == has_layer) return;
+    has_layer = there;
+    int next = 0;
+    for (std::size_t i = 0; i < slots.size(); ++i) slots[i].map.layer = there[i] ? next++ : 0;
     if (!same) {
       depth = gl::LayeredTexture(gl::LayeredTexture::Kind::Array, format, size, size, layers, gl::Filter::Nearest,
                                  "sun shadow");

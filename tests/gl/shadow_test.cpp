@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "tests/testing/light_rig.h"
 
@@ -186,6 +188,30 @@ TEST(SunShadowPicture, OriginTenKilometresAwayChangesNothingToBeSeen) {
   }
   // Rounding in double may move a shadow's edge across a few samples, no more.
   EXPECT_LT(differing, 20);
+}
+
+// One kind's map takes the other's place among the layers.
+TEST(SunShadowPicture, KindsOfOccludersMayTakeTurns) {
+  const auto seen_past = [](std::vector<Instance> instances) {
+    SceneState scene = from_above(90.0, 45.0);
+    scene.instances = std::move(instances);
+    return rig().render(scene);
+  };
+  const Instance box = place(make_box({0.4F, 0.4F, 0.8F}), {0.0, 0.0, 0.4}, false);
+  Instance real_box = box;
+  real_box.real = true;
+  // A virtual board beneath, for a real thing's shadow to fall on.
+  const Instance board = place(make_box({3.0F, 3.0F, 0.02F}), {0.0, 0.0, 0.0}, false);
+  const LightPictures virtual_first = seen_past({ground(), box});
+  const LightPictures real_first = seen_past({real_box, board});
+  const LightPictures both = seen_past({ground(), box, real_box, board});
+  const LightPictures virtual_again = seen_past({ground(), box});
+  const LightPictures real_again = seen_past({real_box, board});
+  EXPECT_TRUE(virtual_first.multiplier == virtual_again.multiplier);
+  EXPECT_TRUE(real_first.added == real_again.added);
+  EXPECT_TRUE(shadowed(virtual_first, 400 - 80, 400)) << "west of the box, the sun in the east";
+  EXPECT_LT(real_first.added.at(400 - 80, 400).r, 0.5F * real_first.added.at(400 + 100, 400).r);
+  EXPECT_GT(both.added.at(400, 400).r, 0.0F);
 }
 
 }  // namespace
