@@ -10,12 +10,18 @@ namespace render::test {
 namespace {
 
 // Each technique as cheap as it is still itself.
+// Every technique that is registered, with few steps and at full size, and the march's other spacings.
 std::vector<ShaftSettings> every_technique() {
-  std::vector<ShaftSettings> all;
-  for (const char* text :
-       {"march:steps=48", "march:steps=48,spacing=depth", "march:steps=48,spacing=growing",
-        "interleaved:steps=32,divisor=1", "bilateral:steps=32,divisor=2", "epipolar:steps=48", "minmax"}) {
-    all.push_back(parse_shaft_settings(text));
+  std::vector<ShaftSettings> all{parse_shaft_settings("march:steps=48,spacing=depth"),
+                                 parse_shaft_settings("march:steps=48,spacing=growing")};
+  for (const ShaftTechniqueInfo& info : shaft_techniques()) {
+    // What the others are held against.
+    if (info.name == "closed-form" || info.name == "reference") continue;
+    ShaftSettings& settings = all.emplace_back(ShaftSettings{.technique = info.name});
+    for (const ShaftParameter& parameter : info.parameters) {
+      if (parameter.name == "steps") settings.parameters["steps"] = 48.0;
+      if (parameter.name == "divisor") settings.parameters["divisor"] = parameter.low;
+    }
   }
   return all;
 }
