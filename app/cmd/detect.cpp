@@ -59,7 +59,9 @@ void check(const DetectArguments& arguments) {
   if (camera != (arguments.size_m > 0.0)) {
     throw UsageError("a pose needs both the camera and the tag's size\ngive --camera or --fov, and --size, or neither");
   }
-  if (!arguments.output.empty()) check_may_write(arguments.output, arguments.overwrite);
+  std::vector<NamedPath> inputs{{"--camera", arguments.camera_file}};
+  for (const std::string& input : arguments.inputs) inputs.push_back({"input", input});
+  check_files(inputs, {{"-o", arguments.output}}, arguments.overwrite);
 }
 
 int run(const DetectArguments& arguments) {
