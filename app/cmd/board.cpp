@@ -16,6 +16,7 @@
 #include "app/exit_status.h"
 #include "app/process/output_files.h"
 #include "calib/boards/board_drawing.h"
+#include "render/base/whole_file.h"
 
 namespace app {
 namespace {
@@ -41,15 +42,15 @@ int run(const BoardArguments& arguments) {
     return check.fits ? kDone : kFailed;
   }
   const auto yaml = std::filesystem::path(arguments.output).replace_extension(".yaml");
-  check_may_write(arguments.output, arguments.overwrite);
-  check_may_write(yaml, arguments.overwrite);
+  check_files({{"SPEC", arguments.board}}, {{"-o", arguments.output}, {"the board's file", yaml}}, arguments.overwrite);
   const auto pages = calib::draw_board(board, arguments.paper);
   // Written beside and renamed, so that no half of a file is ever there.
   std::filesystem::path beside = arguments.output;
   beside.replace_filename("." + beside.stem().string() + ".part" + beside.extension().string());
   try {
     calib::write_pages(beside.string(), pages, arguments.dpi);
-    std::filesystem::rename(beside, arguments.output);
+    render::rename_whole(beside, arguments.output,
+                         arguments.overwrite ? render::Existing::Replace : render::Existing::Keep);
   } catch (...) {
     std::error_code ignored;
     std::filesystem::remove(beside, ignored);

@@ -112,8 +112,12 @@ std::optional<Calibration> calibrate(const CalibrateArguments& arguments) {
 }
 
 void check_outputs(const CalibrateArguments& arguments) {
-  if (!arguments.output.empty()) check_may_write(arguments.output, arguments.overwrite);
-  if (!arguments.report.empty()) check_may_write(arguments.report, arguments.overwrite);
+  const std::string& live = arguments.live.source;
+  std::vector<NamedPath> inputs{{"--board", arguments.board},
+                                {"--corners-cache", arguments.gather.corners_cache},
+                                {"--live", live.starts_with("file:") ? live.substr(5) : ""}};
+  for (const std::string& input : arguments.gather.inputs) inputs.push_back({"input", input});
+  check_files(inputs, {{"-o", arguments.output}, {"--report", arguments.report}}, arguments.overwrite);
 }
 
 // What failed, what to do, and whether there is a file now: status 4 says the first either way.

@@ -103,13 +103,13 @@ int show(const CameraArguments& arguments) {
 }
 
 int convert(const CameraArguments& arguments) {
-  check_may_write(arguments.output, arguments.overwrite);
+  check_files({{"CAMERA", arguments.camera}}, {{"-o", arguments.output}}, arguments.overwrite);
   write(arguments, read(arguments.camera));
   return kDone;
 }
 
 int scale(const CameraArguments& arguments) {
-  check_may_write(arguments.output, arguments.overwrite);
+  check_files({{"CAMERA", arguments.camera}}, {{"-o", arguments.output}}, arguments.overwrite);
   const auto [width, height] = parse_picture_size("--size", arguments.size);
   CameraFile file = read(arguments.camera);
   const double factor = static_cast<double>(width) / file.camera.width;
@@ -124,7 +124,7 @@ int scale(const CameraArguments& arguments) {
 }
 
 int crop(const CameraArguments& arguments) {
-  check_may_write(arguments.output, arguments.overwrite);
+  check_files({{"CAMERA", arguments.camera}}, {{"-o", arguments.output}}, arguments.overwrite);
   CameraFile file = read(arguments.camera);
   const std::vector<int>& r = arguments.rectangle;
   if (r[0] < 0 || r[1] < 0 || r[2] < 1 || r[3] < 1 || r[0] + r[2] > file.camera.width ||
@@ -193,8 +193,8 @@ cv::Mat undistorted(const cv::Mat& picture, const ar::CameraModel& camera, const
 
 int undistort(const CameraArguments& arguments) {
   const auto yaml = std::filesystem::path(arguments.output).replace_extension(".camera.yaml");
-  check_may_write(arguments.output, arguments.overwrite);
-  check_may_write(yaml, arguments.overwrite);
+  check_files({{"CAMERA", arguments.camera}, {"PICTURE", arguments.picture}},
+              {{"-o", arguments.output}, {"its camera file", yaml}}, arguments.overwrite);
   const cv::Mat picture = cv::imread(arguments.picture, cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
   if (picture.empty()) {
     throw ar::InputError(

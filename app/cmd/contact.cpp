@@ -37,7 +37,8 @@ void add_contact_command(CLI::App& app, Program& program) {
   command->footer("Example:\n  skyshaft contact clip.mp4 composite.mp4 -o sheet.png --columns 6");
   command->callback([arguments, &program] {
     program.action = [arguments] {
-      check_may_write(arguments->output, arguments->overwrite);
+      check_files({{"BEFORE", arguments->before}, {"AFTER", arguments->after}}, {{"-o", arguments->output}},
+                  arguments->overwrite);
       write_contact_sheet(arguments->before, arguments->after, arguments->output, arguments->options);
       return static_cast<int>(kDone);
     };

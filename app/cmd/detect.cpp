@@ -59,7 +59,9 @@ void check(const DetectArguments& arguments) {
   if (camera != (arguments.size_m > 0.0)) {
     throw UsageError("a pose needs both the camera and the tag's size\ngive --camera or --fov, and --size, or neither");
   }
-  if (!arguments.output.empty()) check_may_write(arguments.output, arguments.overwrite);
+  std::vector<NamedPath> inputs{{"--camera", arguments.camera_file}};
+  for (const std::string& input : arguments.inputs) inputs.push_back({"input", input});
+  check_files(inputs, {{"-o", arguments.output}}, arguments.overwrite);
 }
 
 int run(const DetectArguments& arguments) {
@@ -80,13 +82,23 @@ int run(const DetectArguments& arguments) {
   return 0;
 }
 
+// Accepts what the detector can shrink a picture by.
+CLI::Validator known_decimation() {
+  const auto complaint = [](const std::string& text) {
+    double factor = 0.0;
+    const bool known = CLI::detail::lexical_cast(text, factor) && ar::is_known_decimation(factor) && factor <= 16.0;
+    return known ? std::string() : fmt::format("found '{}'; accepted: 1, 1.5, or a whole number from 2 to 16", text);
+  };
+  return {complaint, "1, 1.5, 2, 3 ... 16"};
+}
+
 void add_detector_options(CLI::App& detect, DetectArguments& arguments) {
   detect.add_option("--family", arguments.detector.families, "Tag families, separated by commas")
       ->delimiter(',')
       ->check(CLI::IsMember(ar::tag_families()))
       ->capture_default_str();
   detect.add_option("--decimate", arguments.detector.quad_decimate, "Seek tags in a picture that much smaller: faster")
-      ->check(CLI::Range(1.0, 16.0))
+      ->check(known_decimation())
       ->capture_default_str();
   detect.add_option("--max-hamming", arguments.detector.max_hamming, "Wrong bits to correct")
       ->check(CLI::Range(0, 2))
@@ -129,7 +141,8 @@ void add_detect_command(CLI::App& app, Program& program) {
       "in\n"
       "the camera's axes x right, y down, z forward; the tag's are x right, y down, z into the tag. rms_px is how far "
       "its\n"
-      "corners fall from the detected ones; second_rms_px the same for the other pose that a square allows.\n\n"
+      "corners fall from the detected ones; second_rms_px the same for the other pose that a square allows, empty\n"
+      "(JSON: null) where there is none.\n\n"
       "Example:\n  skyshaft detect photo.jpg --camera camera.yaml --size 0.16 --format json");
   detect.callback([&program, arguments] { program.action = [arguments] { return run(*arguments); }; });
 }

@@ -134,7 +134,9 @@ void print(const MapArguments& arguments, const calib::MapResult& result) {
 int run(const MapArguments& arguments, bool quiet) {
   if (arguments.wall && arguments.flat) throw UsageError("--flat and --wall\nthe origin's tag either lies or hangs");
   const calib::MapperOptions options = mapper_options(arguments);
-  check_may_write(arguments.output, arguments.overwrite);
+  std::vector<NamedPath> inputs{{"--camera", arguments.camera}};
+  for (const std::string& input : arguments.inputs) inputs.push_back({"input", input});
+  check_files(inputs, {{"-o", arguments.output}}, arguments.overwrite);
   ar::CameraModel camera;
   const InterruptGuard interrupt;
   const auto pictures = look_at(arguments, quiet, camera);

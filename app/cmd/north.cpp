@@ -139,7 +139,8 @@ int run(const NorthArguments& arguments) {
     throw UsageError("one of --photo and --compass\n--photo with a shadow, or --compass of a tag");
   }
   if (shadow) check_shadow_arguments(arguments);
-  if (!arguments.output.empty()) check_may_write(arguments.output, arguments.overwrite);
+  check_files({{"MAP", arguments.map}, {"--photo", arguments.photo}, {"--camera", arguments.camera}},
+              {{"-o", arguments.output}}, arguments.overwrite);
   ar::TagMap map = read_map(arguments.map);
   const auto found = shadow ? from_shadow(arguments, map) : from_compass(arguments, map);
   if (!found) return kInterrupted;

@@ -52,7 +52,7 @@ void check_arguments(const RenderArguments& arguments) {
         fmt::format("-o: found '{}'; accepted: a name that ends in .exr (linear light) or .png (displayed)",
                     arguments.output.string()));
   }
-  check_may_write(arguments.output, arguments.overwrite);
+  check_files({{"--scene", arguments.still.scene}}, {{"-o", arguments.output}}, arguments.overwrite);
 }
 
 double milliseconds_of(const std::function<void()>& work) {

@@ -16,6 +16,7 @@
 
 #include "app/cmd/commands.h"
 #include "app/error.h"
+#include "app/process/output_files.h"
 #include "app/tables/sky_picture.h"
 #include "app/tables/sky_table.h"
 #include "ar/error.h"
@@ -94,9 +95,7 @@ int run(const SkyArguments& arguments) try {
   }
   const render::Daylight sky = answer(sun_request(arguments), options);
   if (!arguments.out.empty()) {
-    if (!arguments.overwrite && std::filesystem::exists(arguments.out)) {
-      throw std::runtime_error(arguments.out + ": exists already\nname another file, or give --overwrite");
-    }
+    check_may_write(arguments.out, arguments.overwrite);
     write_sky_picture(arguments.out, sky, arguments.picture);
     return 0;
   }

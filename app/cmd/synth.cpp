@@ -13,6 +13,7 @@
 #include "app/process/output_files.h"
 #include "app/synth/clip.h"
 #include "app/synth/spec.h"
+#include "app/synth/truth.h"
 
 namespace app {
 namespace {
@@ -26,7 +27,14 @@ struct SynthArguments {
 
 int run(const SynthArguments& arguments, bool quiet) {
   synth::Spec spec = synth::read_spec(arguments.spec);
-  check_may_write(arguments.output, arguments.overwrite);
+  const synth::TruthFiles truth(arguments.output);
+  check_files({{"SPEC", arguments.spec}},
+              {{"-o", arguments.output},
+               {"the true poses", truth.poses},
+               {"the true corners", truth.corners},
+               {"the camera file", truth.camera},
+               {"the scene file", truth.scene}},
+              arguments.overwrite);
   if (arguments.frames > 0) spec.frames = arguments.frames;
   const InterruptGuard interrupt;
   Progress progress(spec.frames, quiet);

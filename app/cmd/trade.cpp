@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "app/cmd/commands.h"
 #include "app/error.h"
@@ -33,9 +34,11 @@ void check_arguments(const TradeArguments& arguments) {
   parse_shafts("--truth", arguments.options.truth);
   for (const std::string& settings : arguments.options.settings) parse_shafts("--setting", settings);
   std::filesystem::create_directories(arguments.folder);
+  std::vector<NamedPath> outputs;
   for (const char* name : {"trade.csv", "trade.html", "truth.exr", "transmittance.exr"}) {
-    check_may_write(arguments.folder / name, arguments.overwrite);
+    outputs.push_back({name, arguments.folder / name});
   }
+  check_files({{"--scene", arguments.still.scene}}, outputs, arguments.overwrite);
 }
 
 int run(const TradeArguments& arguments) {

@@ -34,9 +34,12 @@ constexpr std::chrono::seconds kPatienceWithGps{20};
 constexpr double kUsualIntervalMs = 1000.0 / 30.0;
 
 void check_outputs(const LiveOptions& options) {
-  if (options.record) check_may_write(*options.record, options.sink.overwrite);
-  if (options.poses) check_may_write(*options.poses, options.sink.overwrite);
-  if (options.report) check_may_write(*options.report, options.sink.overwrite);
+  const std::string clip = options.source.starts_with("file:") ? options.source.substr(5) : "";
+  check_files({{"--source", clip}, {"--scene", options.scene}, {"--camera", options.camera.file.value_or("")}},
+              {{"--record", options.record.value_or("")},
+               {"--poses", options.poses.value_or("")},
+               {"--report", options.report.value_or("")}},
+              options.sink.overwrite);
 }
 
 // Where nobody says when it is, it is now.

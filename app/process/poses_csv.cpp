@@ -10,11 +10,12 @@
 #include <system_error>
 
 #include "app/process/output_files.h"
+#include "render/base/whole_file.h"
 
 namespace app {
 
 PosesCsv::PosesCsv(std::filesystem::path path, bool overwrite)
-    : path_(std::move(path)), beside_(path_.string() + fmt::format(".part-{}", getpid())) {
+    : path_(std::move(path)), beside_(path_.string() + fmt::format(".part-{}", getpid())), overwrite_(overwrite) {
   check_may_write(path_, overwrite);
   out_.open(beside_, std::ios::trunc);
   out_ << "frame,time_s,state,x_m,y_m,z_m,qw,qx,qy,qz,rms_px,tag_ids\n";
@@ -46,7 +47,7 @@ void PosesCsv::add(std::int64_t frame, double time_s, const ar::Track& track) {
 void PosesCsv::finish() {
   out_.close();
   check();
-  std::filesystem::rename(beside_, path_);
+  render::rename_whole(beside_, path_, overwrite_ ? render::Existing::Replace : render::Existing::Keep);
   finished_ = true;
 }
 

@@ -28,6 +28,7 @@ class PosesCsv {
 
   const std::filesystem::path path_;
   const std::filesystem::path beside_;
+  const bool overwrite_;
   std::ofstream out_;
   bool finished_ = false;
 };

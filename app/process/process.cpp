@@ -34,9 +34,10 @@ namespace {
 constexpr std::size_t kFramesForExposure = 5;
 
 void check_outputs(const ProcessOptions& options) {
-  check_may_write(options.output, options.sink.overwrite);
-  if (options.poses) check_may_write(*options.poses, options.sink.overwrite);
-  if (options.report) check_may_write(*options.report, options.sink.overwrite);
+  check_files(
+      {{"IN", options.input}, {"--scene", options.scene}, {"--camera", options.camera.file.value_or("")}},
+      {{"-o", options.output}, {"--poses", options.poses.value_or("")}, {"--report", options.report.value_or("")}},
+      options.sink.overwrite);
 }
 
 ar::OpenOptions open_options(const ProcessOptions& options) {

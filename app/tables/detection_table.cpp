@@ -45,8 +45,9 @@ void DetectionTable::write_csv(std::ostream& out) const {
     if (with_poses_ && row.pose) {
       const cv::Vec3d& t = row.pose->camera_from_tag.translation;
       const cv::Vec4d q = ar::quaternion_wxyz(row.pose->camera_from_tag.rotation);
-      fmt::print(out, ",{:.6f},{:.6f},{:.6f},{:.8f},{:.8f},{:.8f},{:.8f},{:.4f},{:.4f}", t[0], t[1], t[2], q[0], q[1],
-                 q[2], q[3], row.pose->rms_px, row.pose->second_rms_px);
+      fmt::print(out, ",{:.6f},{:.6f},{:.6f},{:.8f},{:.8f},{:.8f},{:.8f},{:.4f},", t[0], t[1], t[2], q[0], q[1], q[2],
+                 q[3], row.pose->rms_px);
+      if (row.pose->second_rms_px) fmt::print(out, "{:.4f}", *row.pose->second_rms_px);
     }
     out << '\n';
   }
@@ -67,7 +68,8 @@ void DetectionTable::write_json(std::ostream& out) const {
       item["camera_from_tag"] = {{"position_m", {t[0], t[1], t[2]}},
                                  {"quaternion_wxyz", {q[0], q[1], q[2], q[3]}},
                                  {"rms_px", row.pose->rms_px},
-                                 {"second_rms_px", row.pose->second_rms_px}};
+                                 {"second_rms_px", nullptr}};
+      if (row.pose->second_rms_px) item["camera_from_tag"]["second_rms_px"] = *row.pose->second_rms_px;
     }
     list.push_back(item);
   }

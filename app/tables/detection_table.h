@@ -13,7 +13,7 @@ namespace app {
 struct TagPose {
   ar::Rigid3 camera_from_tag;
   double rms_px = 0.0;
-  double second_rms_px = 0.0;  // of the other planar solution; 0 where there is none
+  std::optional<double> second_rms_px;  // of the other planar solution; nothing where there is none
 };
 
 // The pose of one tag by itself. Nothing when the detection allows none.
@@ -26,8 +26,10 @@ class DetectionTable {
   void add(const std::string& file, const ar::Frame& frame, const ar::Detection& detection,
            const std::optional<TagPose>& pose);
   // Columns file, frame, time_s, family, id, hamming, margin, c0x_px ... c3y_px and, with poses, x_m, y_m, z_m, qw, qx,
-  // qy, qz, rms_px, second_rms_px (empty where a detection has no pose). File names are quoted as RFC 4180 has it.
+  // qy, qz, rms_px, second_rms_px (empty where a detection has no pose, the last also where it has no
+  // second one). File names are quoted as RFC 4180 has it.
   void write_csv(std::ostream& out) const;
+  // The same, by name; second_rms_px is null where there is no second pose.
   void write_json(std::ostream& out) const;
 
  private:

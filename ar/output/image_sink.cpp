@@ -9,6 +9,7 @@
 
 #include "ar/capture/color/color.h"
 #include "ar/capture/file/image_list.h"
+#include "render/base/whole_file.h"
 
 namespace ar {
 namespace {
@@ -35,7 +36,8 @@ ImageSink::ImageSink(const fs::path& path, const SourceInfo& source, const Video
     : path_(path),
       numbered_(is_printf_pattern(path.string())),
       format_(source.format),
-      folder_(path),
+      overwrite_(options.overwrite),
+      folder_(path, options.overwrite),
       pool_(source.format),
       converter_(png_format(source.format), options.threads) {
   ffmpeg::route_log();
@@ -100,9 +102,12 @@ void ImageSink::write_untouched(Frame frame) {
 void ImageSink::finish() {
   for (std::int64_t i = 0; i < count_; ++i) {
     const fs::path to = final_name(i);
-    std::error_code error;
-    fs::rename(folder_.path() / to.filename(), to, error);
-    if (error) throw failure(to, error.message());
+    try {
+      render::rename_whole(folder_.path() / to.filename(), to,
+                           overwrite_ ? render::Existing::Replace : render::Existing::Keep);
+    } catch (const std::system_error& error) {
+      throw failure(to, error.code().message());
+    }
   }
 }
 

@@ -28,6 +28,7 @@ class ImageSink : public FrameSink {
   std::filesystem::path path_;
   bool numbered_;
   PixelFormat format_;
+  bool overwrite_;
   TemporaryPath folder_;  // holds all pictures until they are finished
   FramePool pool_;
   Converter converter_;

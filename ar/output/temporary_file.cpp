@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "render/base/whole_file.h"
+
 namespace ar {
 namespace {
 
@@ -20,8 +22,11 @@ fs::path hidden_beside(const fs::path& final_path) {
 
 }  // namespace
 
-TemporaryPath::TemporaryPath(fs::path final_path, bool in_place)
-    : final_(std::move(final_path)), temporary_(in_place ? final_ : hidden_beside(final_)), committed_(in_place) {
+TemporaryPath::TemporaryPath(fs::path final_path, bool overwrite, bool in_place)
+    : final_(std::move(final_path)),
+      temporary_(in_place ? final_ : hidden_beside(final_)),
+      overwrite_(overwrite),
+      committed_(in_place) {
   const fs::path folder = final_.has_parent_path() ? final_.parent_path() : fs::path(".");
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
@@ -42,11 +47,16 @@ TemporaryPath::~TemporaryPath() {
 
 void TemporaryPath::commit() {
   if (temporary_ == final_) return;
-  std::error_code error;
-  fs::rename(temporary_, final_, error);
-  if (error) {
-    throw std::runtime_error(
-        fmt::format("cannot rename {} to {}: {}", temporary_.string(), final_.string(), error.message()));
+  try {
+    render::rename_whole(temporary_, final_, overwrite_ ? render::Existing::Replace : render::Existing::Keep);
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::file_exists) {
+      throw std::runtime_error(
+          fmt::format("cannot rename {} to {}: {}", temporary_.string(), final_.string(), error.code().message()));
+    }
+    committed_ = true;  // what took long to make is not thrown away
+    throw std::runtime_error(fmt::format("cannot write {}: it appeared meanwhile\nThe finished file is {}: rename it.",
+                                         final_.string(), temporary_.string()));
   }
   committed_ = true;
 }

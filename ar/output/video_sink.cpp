@@ -29,7 +29,7 @@ AVRational to_av(Rational value) {
 }  // namespace
 
 VideoSink::VideoSink(const std::filesystem::path& path, const SourceInfo& source, const VideoSinkOptions& options)
-    : source_(source), live_(options.live), file_(path, options.live), pool_(source.format) {
+    : source_(source), live_(options.live), file_(path, options.overwrite, options.live), pool_(source.format) {
   ffmpeg::route_log();
   open_muxer();
   if (avformat_query_codec(muxer_->oformat, codec_id(options.codec), FF_COMPLIANCE_NORMAL) == 0) {

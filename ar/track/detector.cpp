@@ -11,6 +11,7 @@
 #include <tagStandard52h13.h>
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <tuple>
@@ -61,7 +62,7 @@ int correctable_bits(const apriltag_family_t& family, int max_hamming) {
 
 void check(const DetectorOptions& options) {
   if (options.families.empty()) throw std::runtime_error("no tag family given\nname at least one, such as tag36h11");
-  CHECK(options.quad_decimate >= 1.0);
+  CHECK(is_known_decimation(options.quad_decimate));
   CHECK(options.quad_sigma >= 0.0);
   CHECK(options.threads >= 1);
   CHECK(options.max_hamming >= 0);
@@ -111,6 +112,10 @@ const std::vector<std::string>& tag_families() {
   return names;
 }
 
+bool is_known_decimation(double quad_decimate) {
+  return quad_decimate == 1.5 || (quad_decimate >= 1.0 && quad_decimate == std::floor(quad_decimate));
+}
+
 struct Detector::Impl {
   DetectorOptions options;
   std::vector<FamilyPtr> families;  // before `detector`, which refers to them until its end
@@ -141,7 +146,7 @@ Detector::Detector(const DetectorOptions& options) : impl_(std::make_unique<Impl
 Detector::~Detector() = default;
 
 void Detector::set_decimate(double quad_decimate) {
-  CHECK(quad_decimate >= 1.0);
+  CHECK(is_known_decimation(quad_decimate));
   impl_->options.quad_decimate = quad_decimate;
   impl_->detector->quad_decimate = static_cast<float>(quad_decimate);
 }

@@ -23,11 +23,16 @@ struct Detection {
   cv::Point2d center_px;
 };
 
+// Whether tags can be sought in a picture shrunk by that factor: the library knows 1, 1.5 and whole numbers. It shrinks
+// by the whole part of any other, but counts pixels by the factor itself, and so finds nothing.
+bool is_known_decimation(double quad_decimate);
+
 struct DetectorOptions {
   std::vector<std::string> families{"tag36h11"};
-  double quad_decimate = 1.0;  // >= 1: quads are sought in a picture that much smaller, corners refined in the full one
-  double quad_sigma = 0.0;     // blur before quads are sought, px of the shrunk picture
-  bool refine_edges = true;    // without it corners are off by 0.25 px instead of 0.05 px
+  // 1, 1.5 or a whole number: quads are sought in a picture that much smaller, corners refined in the full one.
+  double quad_decimate = 1.0;
+  double quad_sigma = 0.0;   // blur before quads are sought, px of the shrunk picture
+  bool refine_edges = true;  // without it corners are off by 0.25 px instead of 0.05 px
   int threads = 1;
   int max_hamming = 1;       // wrong bits corrected, 0 ... 2; at most 1 for tagStandard52h13
   double min_margin = 20.0;  // smallest decision margin; less is noise that looks like a tag
@@ -50,7 +55,8 @@ class Detector {
   std::vector<Detection> detect(const Frame& frame, const std::vector<cv::Rect>& regions);
   std::vector<Detection> detect(const cv::Mat& gray8, const std::vector<cv::Rect>& regions);
 
-  // Quads are sought in the picture shrunk by that factor (>= 1), corners and bits always in the full one.
+  // Quads are sought in the picture shrunk by that factor (1, 1.5 or a whole number), corners and bits always in the
+  // full one.
   void set_decimate(double quad_decimate);
 
  private:

@@ -58,7 +58,7 @@ struct PoseEstimate {
   Rigid3 world_from_camera;
   cv::Matx66d covariance;
   double rms_px = 0.0;
-  double second_best_rms_px = 0.0;  // of the other planar solution; 0 where there is none
+  std::optional<double> second_best_rms_px;  // of the other planar solution; nothing where there is none
   std::vector<int> tag_ids;
 };
 std::optional<PoseEstimate> estimate_pose(const CameraModel& camera, const TagMap& map,

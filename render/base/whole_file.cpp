@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -35,6 +36,24 @@ class Descriptor {
 [[noreturn]] void fail(const char* what, const std::filesystem::path& path, int error) {
   throw std::runtime_error(std::string("cannot ") + what + " '" + path.string() +
                            "': " + std::generic_category().message(error));
+}
+
+// Where the file system cannot rename without replacing, the name is claimed first: an empty file that is made here
+// only if there was none, and that the finished one then replaces.
+int rename_claiming(const std::filesystem::path& from, const std::filesystem::path& to) {
+  const Descriptor claim(::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (claim.get() < 0) return -1;
+  if (::rename(from.c_str(), to.c_str()) == 0) return 0;
+  const int error = errno;
+  ::unlink(to.c_str());
+  errno = error;
+  return -1;
+}
+
+int rename_keeping(const std::filesystem::path& from, const std::filesystem::path& to) {
+  const int done = ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE);
+  if (done == 0 || (errno != EINVAL && errno != ENOSYS)) return done;
+  return rename_claiming(from, to);
 }
 
 void write_all(const std::filesystem::path& temporary, std::span<const std::uint8_t> bytes) {
@@ -69,14 +88,19 @@ Bytes read_file(const std::filesystem::path& path) {
   }
 }
 
-void write_file_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+void rename_whole(const std::filesystem::path& from, const std::filesystem::path& to, Existing existing) {
+  const int done = existing == Existing::Keep ? rename_keeping(from, to) : ::rename(from.c_str(), to.c_str());
+  if (done != 0) throw std::system_error(errno, std::generic_category(), "cannot write '" + to.string() + "'");
+}
+
+void write_file_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes, Existing existing) {
   std::filesystem::path temporary = path;
   temporary += ".";
   temporary += std::to_string(::getpid());
   temporary += ".part";
   try {
     write_all(temporary, bytes);
-    if (::rename(temporary.c_str(), path.c_str()) != 0) fail("write", path, errno);
+    rename_whole(temporary, path, existing);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;

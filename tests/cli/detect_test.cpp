@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
@@ -58,6 +59,45 @@ TEST(Detect, PrintsPosesAsJsonWhenCameraAndSizeAreKnown) {
   const auto position = list[0]["camera_from_tag"]["position_m"].get<std::vector<double>>();
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(position[i], kPlace[static_cast<int>(i)], 0.003);  // 0.5 % of the distance
+  }
+}
+
+// Seen exactly from in front, the two poses that a square allows are one.
+TEST(Detect, LeavesTheSecondPoseOutWhereThereIsNone) {
+  const cli::Folder folder;
+  const std::string picture = folder.path("board.png");
+  ASSERT_EQ(cli::skyshaft({"board", "aprilgrid:2x2:60mm:0.3", "-o", picture, "--dpi", "72"}).status, 0);
+  for (const std::string format : {"csv", "json"}) {
+    const cli::Result found = cli::skyshaft(
+        {"detect", picture, "--fov", "60", "--size", "0.06", "--format", format, "-o", folder.path("tags." + format)});
+    ASSERT_EQ(found.status, 0) << found.err;
+  }
+  const auto rows = cli::read_csv(folder.path("tags.csv"));
+  std::ifstream in(folder.path("tags.json"));
+  const auto list = nlohmann::json::parse(in);
+  ASSERT_EQ(rows.size(), 5U);
+  ASSERT_EQ(list.size(), 4U);
+  ASSERT_EQ(rows[0].back(), "second_rms_px");
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i].size(), rows[0].size());
+    EXPECT_EQ(rows[i].back(), "");
+  }
+  for (const auto& tag : list) EXPECT_TRUE(tag["camera_from_tag"]["second_rms_px"].is_null()) << tag;
+}
+
+TEST(Detect, DecimatesByWhatTheLibraryKnowsAndRefusesTheRest) {
+  const cli::Folder folder;
+  draw_tag(folder.path("tag.png"));
+  for (const char* factor : {"1", "1.5", "2", "3"}) {
+    const cli::Result found = cli::skyshaft({"detect", folder.path("tag.png"), "--decimate", factor});
+    EXPECT_EQ(found.status, 0) << found.err;
+    EXPECT_THAT(found.out, HasSubstr("tag36h11,7,")) << factor;
+  }
+  for (const char* factor : {"1.2", "1.7", "2.5", "0.5", "17", "nan", "two"}) {
+    const cli::Result refused = cli::skyshaft({"detect", folder.path("tag.png"), "--decimate", factor});
+    EXPECT_EQ(refused.status, 2) << factor;
+    EXPECT_THAT(refused.err, HasSubstr("accepted: 1, 1.5, or a whole number from 2 to 16")) << factor;
+    EXPECT_THAT(refused.err, HasSubstr("'" + std::string(factor) + "'"));
   }
 }
 

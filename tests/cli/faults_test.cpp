@@ -158,6 +158,39 @@ TEST_F(Faults, AnExistingOutputStaysUnlessOverwriteIsGiven) {
   EXPECT_GT(std::filesystem::file_size(folder_.path("out.mp4")), 100U);
 }
 
+TEST_F(Faults, AnOutputThatIsAnInputOrAnotherOutputIsRefusedBeforeAnythingStarts) {
+  const std::string clip = plain_clip(3);
+  const auto size = std::filesystem::file_size(clip);
+  const std::string link = folder_.path("link.mp4");
+  std::filesystem::create_symlink(clip, link);
+  std::filesystem::create_hard_link(clip, folder_.path("hard.mp4"));
+  const auto expect_same = [&](const std::vector<std::string>& files, const std::string& what) {
+    std::vector<std::string> arguments{"process", clip, "--scene", scene_, "--overwrite", "--fov", "60"};
+    arguments.insert(arguments.end(), files.begin(), files.end());
+    const Result result = skyshaft(arguments);
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(what));
+    EXPECT_EQ(std::filesystem::file_size(clip), size);
+  };
+  expect_same({"-o", clip}, "IN and -o are the same file");
+  expect_same({"-o", link}, "IN and -o are the same file");
+  expect_same({"-o", folder_.path("hard.mp4")}, "IN and -o are the same file");
+  const std::string out = folder_.path("out.mp4");
+  expect_same({"-o", out, "--poses", folder_.path("./out.mp4")}, "-o and --poses are the same file");
+  expect_same({"-o", out, "--poses", scene_}, "--scene and --poses are the same file");
+  expect_same({"-o", out, "--report", clip}, "IN and --report are the same file");
+  EXPECT_FALSE(std::filesystem::exists(out));
+  EXPECT_GT(std::filesystem::file_size(scene_), 100U);
+}
+
+TEST_F(Faults, ADeviceOrPipeIsNotReplaced) {
+  const std::string pipe = folder_.path("pipe.csv");
+  ASSERT_EQ(run({"mkfifo", pipe}).status, 0);
+  const Result result = process(plain_clip(3), {"--poses", pipe, "--overwrite"});
+  expect_refused(result, 1, "pipe.csv: is a device or pipe");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
 TEST_F(Faults, AnOutputFolderThatDoesNotExistIsNamed) {
   const Result result = skyshaft({"process", plain_clip(3), "-o", folder_.path("no/out.mp4"), "--scene", scene_});
   EXPECT_EQ(result.status, 1);

@@ -174,7 +174,7 @@ TEST_F(Live, WhatIsNotUnderstoodIsRefused) {
   };
   refused({"--source", "camera"}, 3, "v4l2:");
   refused({"--source", "file:" + folder_->path("none.mp4")}, 3, "none.mp4");
-  refused({"--source", "file:" + clip_, "--record", clip_}, 1, "--overwrite");
+  refused({"--source", "file:" + clip_, "--record", clip_}, 2, "--source and --record are the same file");
   refused({"--source", "file:" + clip_, "--size", "wide"}, 2, "WIDTHxHEIGHT");
   refused({"--source", "file:" + clip_, "--control", "zoom=3"}, 2, "exposure");
 }

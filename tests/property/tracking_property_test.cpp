@@ -155,7 +155,7 @@ TEST(EstimatePose, AFarSquaresOtherPoseIsToldAndTheNearOneWins) {
     };
     flips_without += flipped(*alone) ? 1 : 0;
     flips_with += flipped(*near) ? 1 : 0;
-    ambiguous += alone->second_best_rms_px > 0.0 ? 1 : 0;
+    ambiguous += alone->second_best_rms_px ? 1 : 0;
   }
   EXPECT_GT(flips_without, 3) << "no ambiguity here: the test shows nothing";
   EXPECT_LE(flips_with, flips_without / 3);
@@ -179,7 +179,7 @@ TEST(EstimatePose, AThousandTagsInOnePicture) {
 }
 
 bool all_finite(const PoseEstimate& e) {
-  double sum = e.rms_px + e.second_best_rms_px + cv::norm(e.world_from_camera.translation);
+  double sum = e.rms_px + e.second_best_rms_px.value_or(0.0) + cv::norm(e.world_from_camera.translation);
   for (double v : e.world_from_camera.rotation.val) sum += v;
   for (double v : e.covariance.val) sum += v;
   return std::isfinite(sum);

@@ -201,6 +201,24 @@ TEST(SinkFaults, WithoutFinishNothingAppearsAndTheEarlierFileStays) {
   EXPECT_EQ(contents(folder / "a.mp4"), "earlier work");
 }
 
+TEST(SinkFaults, WhatAppearsMeanwhileIsNotReplacedAndTheFinishedFileIsKept) {
+  const TemporaryFolder folder;
+  const auto sink = make_file_sink(folder / "a.mp4", made_source(64, 48), quick());
+  OutputFrame frame = sink->allocate();
+  fill(frame, made_picture(frame.format, 0));
+  sink->write(std::move(frame), 0);
+  std::ofstream(folder / "a.mp4") << "another's work";
+  try {
+    sink->finish();
+    FAIL() << "it was replaced";
+  } catch (const std::runtime_error& error) {
+    expect_clear(error.what(), "a.mp4", "appeared meanwhile");
+  }
+  EXPECT_EQ(contents(folder / "a.mp4"), "another's work");
+  ASSERT_EQ(folder.names().size(), 2U);
+  EXPECT_EQ(read_clip(folder / folder.names().front()).pts.size(), 1U);
+}
+
 TEST(SinkFaults, AKilledWriterLeavesTheEarlierFileAlone) {
   const TemporaryFolder folder;
   std::ofstream(folder / "a.mp4") << "earlier work";
