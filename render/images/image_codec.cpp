@@ -17,7 +17,9 @@ namespace {
 
 constexpr int kRgba = 4;
 constexpr int kRgb = 3;
-// A texture of 16384 x 16384 is as large as GPUs take; a broken header must not claim the machine's memory.
+// Pixels that a byte of a file can hold: deflate reaches 1032 to 1, PNG's smallest pixel is a bit; JPEG codes its least
+// block of 8 x 8 in a bit.
+constexpr std::uint64_t kCodecPixelsPerByte = 8 * 1032;
 
 void append(void* bytes, void* data, int size) {
   const auto* begin = static_cast<const std::uint8_t*>(data);
@@ -61,10 +63,7 @@ Image decode_image(std::span<const std::uint8_t> bytes) {
   if (stbi_info_from_memory(bytes.data(), size, &image.width, &image.height, &channels) == 0) {
     throw std::runtime_error("neither a PNG nor a JPEG image, or its header is broken");
   }
-  if (std::int64_t{image.width} * image.height > kMaxPixels) {
-    throw std::runtime_error("the image claims " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                             " pixels, more than 2^28");
-  }
+  check_claimed_size("the image", image.width, image.height, bytes.size(), kCodecPixelsPerByte);
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(bytes.data(), size, &image.width, &image.height, &channels, kRgba), stbi_image_free);
   if (!pixels) throw std::runtime_error(std::string("the image is broken: ") + stbi_failure_reason());

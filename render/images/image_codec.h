@@ -9,7 +9,9 @@
 namespace render {
 
 // Decodes a PNG or JPEG held in memory to RGBA, 8 bits a channel, row 0 at the top; 16-bit PNGs lose their low bits.
-// Throws std::runtime_error that says what is wrong, without a file's name: the caller knows it.
+// Colour chunks (gAMA, cICP, iCCP) are left aside, as glTF 2.0 requires of its textures: a material says itself which
+// are sRGB and which are linear. Throws std::runtime_error that says what is wrong, without a file's name: the caller
+// knows it.
 Image decode_image(std::span<const std::uint8_t> bytes);
 
 // `image` as a PNG file's bytes, with alpha only where some pixel is not opaque. Throws std::runtime_error when the

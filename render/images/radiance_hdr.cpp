@@ -1,17 +1,23 @@
 // The Radiance picture format: G. Ward, "Real Pixels", Graphics Gems II (1991), and Radiance's ray/doc/filefmts.pdf.
 // A pixel is three 8-bit mantissas and one exponent; we write mantissas rounded and read them without the half step
 // that Radiance's own reader adds, as most other programs do.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
+#include <glm/common.hpp>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "render/base/whole_file.h"
+#include "render/images/finite_pixels.h"
 #include "render/images/image_io.h"
 #include "render/images/picture_limits.h"
+#include "render/images/primaries.h"
 
 namespace render {
 namespace {
@@ -19,6 +25,8 @@ namespace {
 constexpr int kExponentBias = 128;
 constexpr int kMantissaBits = 8;
 constexpr std::size_t kMinRun = 4;  // shorter runs cost more than they save
+// A row of the old coding may be one pixel and two runs; of the new one, a run holds 127 pixels of one plane.
+constexpr std::size_t kHdrPixelsPerByte = kMaxSide / 12;
 
 struct Rgbe {
   std::uint8_t c[4];
@@ -56,6 +64,7 @@ class Reader {
     for (char c = static_cast<char>(byte()); c != '\n'; c = static_cast<char>(byte())) text += c;
     return text;
   }
+  std::size_t size() const { return bytes_.size(); }
   Rgbe pixel() {
     Rgbe p{};
     for (std::uint8_t& c : p.c) c = byte();
@@ -68,43 +77,72 @@ class Reader {
 };
 
 struct Header {
-  float exposure = 1.0F;  // what the stored values were multiplied by
+  glm::vec3 exposure{1.0F};            // what the stored values were multiplied by, each channel: EXPOSURE, COLORCORR
+  Imf::Chromaticities chromaticities;  // PRIMARIES; without it, Rec. 709's
   int width = 0;
   int height = 0;
   bool top_down = true;
   bool left_right = true;
 };
 
-void parse_resolution(const std::string& line, Header& header) {
+void parse_resolution(const std::string& line, std::size_t file_bytes, Header& header) {
   std::istringstream words(line);
   std::string y;
   std::string x;
   std::int64_t height = 0;
   std::int64_t width = 0;
   words >> y >> height >> x >> width;
-  if (!words || (y != "-Y" && y != "+Y") || (x != "+X" && x != "-X") || width < 1 || height < 1 || width > kMaxPixels ||
-      height > kMaxPixels || width * height > kMaxPixels) {
+  if (!words || (y != "-Y" && y != "+Y") || (x != "+X" && x != "-X") || width < 1 || height < 1) {
     throw std::runtime_error("found the size line \"" + line + "\", accepted is like \"-Y 512 +X 1024\"");
   }
+  check_claimed_size("its picture", width, height, file_bytes, kHdrPixelsPerByte);
   header.width = static_cast<int>(width);
   header.height = static_cast<int>(height);
   header.top_down = y == "-Y";
   header.left_right = x == "+X";
 }
 
+// The numbers after `key` in a header's line. Throws std::runtime_error where there are not N finite ones.
+template <std::size_t N>
+std::array<float, N> numbers_after(const std::string& line, std::string_view key) {
+  std::istringstream words(line.substr(key.size()));
+  words.imbue(std::locale::classic());
+  std::array<float, N> numbers{};
+  for (float& number : numbers) words >> number;
+  if (!words) {
+    throw std::runtime_error(
+        fmt::format("found the line \"{}\", accepted is {} and {} number{}", line, key, N, N == 1 ? "" : "s"));
+  }
+  return numbers;
+}
+
+void read_variable(const std::string& line, Header& header) {
+  const auto is = [&line](std::string_view key) { return line.rfind(key, 0) == 0; };
+  if (is("FORMAT=") && !is("FORMAT=32-bit_rle_rgbe")) {
+    throw std::runtime_error("found " + line + ", accepted is 32-bit_rle_rgbe");
+  }
+  if (is("EXPOSURE=")) header.exposure *= numbers_after<1>(line, "EXPOSURE=")[0];
+  if (is("COLORCORR=")) {
+    const auto [r, g, b] = numbers_after<3>(line, "COLORCORR=");
+    header.exposure *= glm::vec3(r, g, b);
+  }
+  if (is("PRIMARIES=")) {
+    const auto xy = numbers_after<8>(line, "PRIMARIES=");
+    header.chromaticities = Imf::Chromaticities({xy[0], xy[1]}, {xy[2], xy[3]}, {xy[4], xy[5]}, {xy[6], xy[7]});
+  }
+}
+
 Header read_header(Reader& in) {
   Header header;
   if (in.line().rfind("#?", 0) != 0) throw std::runtime_error("it does not begin with #?RADIANCE");
-  for (std::string line = in.line(); !line.empty(); line = in.line()) {
-    if (line.rfind("FORMAT=", 0) == 0 && line.rfind("FORMAT=32-bit_rle_rgbe", 0) != 0) {
-      throw std::runtime_error("found " + line + ", accepted is 32-bit_rle_rgbe");
+  for (std::string line = in.line(); !line.empty(); line = in.line()) read_variable(line, header);
+  for (int c = 0; c < 3; ++c) {
+    if (!(header.exposure[c] > 0.0F) || !std::isfinite(header.exposure[c])) {
+      throw std::runtime_error(
+          fmt::format("its EXPOSURE and COLORCORR multiply to {}, accepted are positive numbers", header.exposure[c]));
     }
-    if (line.rfind("EXPOSURE=", 0) == 0) header.exposure *= std::strtof(line.c_str() + 9, nullptr);
   }
-  if (!(header.exposure > 0.0F) || !std::isfinite(header.exposure)) {
-    throw std::runtime_error("its EXPOSURE is not a positive number");
-  }
-  parse_resolution(in.line(), header);
+  parse_resolution(in.line(), in.size(), header);
   return header;
 }
 
@@ -150,7 +188,7 @@ void read_row(Reader& in, std::vector<Rgbe>& row) {
   read_planes(in, row);
 }
 
-LinearImage decode_hdr(std::span<const std::uint8_t> bytes) {
+LinearImage decode_hdr(std::span<const std::uint8_t> bytes, const std::string& name) {
   Reader in(bytes);
   const Header header = read_header(in);
   LinearImage image;
@@ -171,6 +209,8 @@ LinearImage decode_hdr(std::span<const std::uint8_t> bytes) {
     const auto top = image.rgb.begin() + static_cast<std::ptrdiff_t>(y * width);
     std::swap_ranges(top, top + header.width, image.rgb.end() - static_cast<std::ptrdiff_t>((y + 1) * width));
   }
+  replace_invalid_values(image, name);  // the quotient by a tiny EXPOSURE overflows
+  to_rec709(header.chromaticities, image);
   return image;
 }
 
@@ -218,7 +258,7 @@ Bytes encode_hdr(const LinearImage& image) {
 LinearImage read_hdr(const std::filesystem::path& path) {
   const Bytes bytes = read_file(path);
   try {
-    return decode_hdr(bytes);
+    return decode_hdr(bytes, path.string());
   } catch (const std::exception& error) {
     throw std::runtime_error("cannot read Radiance HDR '" + path.string() + "': " + error.what());
   }

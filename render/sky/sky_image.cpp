@@ -1,6 +1,7 @@
 #include "render/sky/sky_image.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -107,9 +108,21 @@ class ImageSky final : public SkyModel {
 };
 
 LinearImage read_picture(const std::filesystem::path& file) {
-  if (file.extension() == ".exr") return read_exr(file);
-  if (file.extension() == ".hdr") return read_hdr(file);
+  std::string kind = file.extension().string();
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (kind == ".exr") return read_exr(file);
+  if (kind == ".hdr") return read_hdr(file);
   throw std::runtime_error(file.string() + ": a sky picture must be an .exr or .hdr file");
+}
+
+SkyImage read_sky(const std::filesystem::path& file) {
+  LinearImage picture = read_picture(file);
+  try {
+    return separate_sun(std::move(picture));
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(file.string() + ": " + error.what());
+  }
 }
 
 }  // namespace
@@ -140,14 +153,14 @@ SkyImage separate_sun(LinearImage picture) {
     peak = std::max(peak, brightness(picture.rgb[i]));
     cleaned.rgb[i] = glm::min(picture.rgb[i], glm::vec3(surroundings));
   });
-  if (!(peak > kStandsOut * luminance(surroundings))) return {std::move(picture), std::nullopt};
+  if (!(peak > kStandsOut * std::max(luminance(surroundings), 0.0))) return {std::move(picture), std::nullopt};
   sun.direction_in_picture = glm::normalize(weighted);
   return {std::move(cleaned), sun};
 }
 
 std::unique_ptr<SkyModel> make_image_sky(const std::filesystem::path& file, const SunPosition& sun,
                                          double diffuse_lux) {
-  SkyImage image = separate_sun(read_picture(file));
+  SkyImage image = read_sky(file);
   if (!image.sun) {
     auto sky = std::make_unique<ImageSky>(std::move(image.sky), 0.0, 1.0);
     const double own = luminance(horizontal_illuminance(*sky));
@@ -159,7 +172,8 @@ std::unique_ptr<SkyModel> make_image_sky(const std::filesystem::path& file, cons
   auto sky = std::make_unique<ImageSky>(std::move(image.sky), turn, 1.0);
   const double direct = luminance(image.sun->irradiance_rgb) * std::max(pictured.z, 0.0);
   const double total = luminance(horizontal_illuminance(*sky)) + direct;
-  sky->set_scale(clear_illuminance_lux(std::asin(std::clamp(pictured.z, -1.0, 1.0))) / total);
+  const double lux = clear_illuminance_lux(std::asin(std::clamp(pictured.z, -1.0, 1.0)));
+  sky->set_scale(total > 0.0 ? lux / total : 0.0);
   return sky;
 }
 

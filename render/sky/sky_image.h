@@ -33,7 +33,8 @@ SkyImage separate_sun(LinearImage picture);
 
 // Reads `file` (.exr or .hdr), turns it about the vertical so that its sun, if it shows one, stands at the azimuth of
 // `sun`, and scales it so that sun and sky together give level ground the illuminance of a clear day with the sun at
-// the pictured elevation; without a pictured sun, so that the sky alone gives `diffuse_lux`.
+// the pictured elevation; without a pictured sun, so that the sky alone gives `diffuse_lux`. A picture without light
+// stays black. Throws std::runtime_error that names the file and what is wrong with it.
 std::unique_ptr<SkyModel> make_image_sky(const std::filesystem::path& file, const SunPosition& sun, double diffuse_lux);
 
 }  // namespace render
