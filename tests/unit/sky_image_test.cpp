@@ -45,7 +45,7 @@ double sky_lux(const std::string& path) {
   return render::luminance(render::horizontal_illuminance(*render::make_image_sky(path, {}, 1e4)));
 }
 
-TEST(SkyImage, AnOverflowedDiscGivesTheLevelOfTheLargestHalf) {
+TEST(SkyImageFile, AnOverflowedDiscGivesTheLevelOfTheLargestHalf) {
   const test::TemporaryFolder folder;
   const float inf = std::numeric_limits<float>::infinity();
   write_sky(folder / "largest.exr", Imf::Rgba(65504.0F, 65504.0F, 65504.0F));
@@ -56,7 +56,7 @@ TEST(SkyImage, AnOverflowedDiscGivesTheLevelOfTheLargestHalf) {
   EXPECT_NEAR(sky_lux(folder / "inf.exr"), below, 0.15 * below) << "a disc 14 % brighter";
 }
 
-TEST(SkyImage, NanPixelsGiveTheSkyAroundThem) {
+TEST(SkyImageFile, NanPixelsGiveTheSkyAroundThem) {
   const test::TemporaryFolder folder;
   LinearImage picture{64, 32, std::vector<glm::vec3>(64 * 32, glm::vec3(1.0F))};
   render::write_exr(folder / "whole.exr", picture);
@@ -66,7 +66,7 @@ TEST(SkyImage, NanPixelsGiveTheSkyAroundThem) {
   EXPECT_NEAR(sky_lux(folder / "whole.exr"), 1e4, 1.0);
 }
 
-TEST(SkyImage, NegativeAndBlackPicturesAreBlackSkies) {
+TEST(SkyImageFile, NegativeAndBlackPicturesAreBlackSkies) {
   const test::TemporaryFolder folder;
   LinearImage picture{64, 32, std::vector<glm::vec3>(64 * 32, glm::vec3(-1.0F))};
   render::write_exr(folder / "negative.exr", picture);
@@ -77,7 +77,7 @@ TEST(SkyImage, NegativeAndBlackPicturesAreBlackSkies) {
   EXPECT_EQ(sky_lux(folder / "below.exr"), 0.0);
 }
 
-TEST(SkyImage, FilesThatAreNoSkyAreNamed) {
+TEST(SkyImageFile, FilesThatAreNoSkyAreNamed) {
   const test::TemporaryFolder folder;
   render::write_exr(folder / "square.EXR", {4, 4, std::vector<glm::vec3>(16, glm::vec3(1.0F))});
   try {
