@@ -72,7 +72,9 @@ void add_process_command(CLI::App& app, Program& program) {
   add_outputs(*command, *arguments);
   add_rendering(*command, *arguments);
   command->footer(
-      "Frames keep their timestamps; audio and subtitles are copied. Frames without a known tag go through unchanged.\n"
+      "Frames keep their distances in time, the first at 0 (--poses: at the source's time); audio and subtitles are "
+      "copied\n"
+      "in step. Frames without a known tag go through unchanged.\n"
       "Ctrl-C finalises what is done so far (status 130).\n\n"
       "The poses are rows of frame,time_s,state,x_m,y_m,z_m,qw,qx,qy,qz,rms_px,tag_ids: the camera's place and\n"
       "orientation in the world (east, north, up; camera x right, y down, z forward).\n\n"

@@ -51,8 +51,9 @@ struct VideoSinkOptions {
 
 // A video file (.mp4, .m4v, .mov, .mkv) or PNG pictures: one ("still.png", takes one frame), or as many as come,
 // numbered from 0 ("shot_%04d.png"). Frames have the source's size, chroma, depth, colour tags, sample aspect, time
-// base and timestamps, uneven ones and a late start included (MP4 and MOV exactly; Matroska counts in milliseconds).
-// H.264 and HEVC take RGB frames as 4:2:0 BT.709 and odd sizes as 4:4:4; FFV1 (.mkv) keeps everything bit for bit.
+// base and timestamps, uneven ones included (MP4 and MOV exactly; Matroska counts in milliseconds), counted from the
+// first frame written: the file begins at 0, however late the source's clock or the part that is taken. H.264 and HEVC
+// take RGB frames as 4:2:0 BT.709 and odd sizes as 4:4:4; FFV1 (.mkv) keeps everything bit for bit.
 //
 // `source` is as open_source() gave it: the audio and subtitle streams and the metadata of `source.path` are copied. Or
 // it is made by hand: then `source.path` stays empty and `source.tags` unset; format (color included), time_base,

@@ -73,6 +73,7 @@ const StreamCopy::Route* StreamCopy::route_of(int input) const {
 }
 
 void StreamCopy::begin_at(std::int64_t pts) {
+  origin_ = pts;
   if (video_->start_time != AV_NOPTS_VALUE && pts > video_->start_time) begin_ = pts;
 }
 
@@ -97,8 +98,12 @@ void StreamCopy::hand_on(AVPacket& packet, const PacketTaker& take) const {
   const Route& route = *route_of(packet.stream_index);
   if (start_of(packet) == AV_NOPTS_VALUE) return;
   if (begin_ && before(packet, *begin_)) return;
+  const AVRational time_base = source_->streams[packet.stream_index]->time_base;
+  const std::int64_t shift = av_rescale_q(origin_, video_->time_base, time_base);
+  if (packet.pts != AV_NOPTS_VALUE) packet.pts -= shift;
+  if (packet.dts != AV_NOPTS_VALUE) packet.dts -= shift;
   if (!keep_negative_ && start_of(packet) < 0) return;  // encoder's run-in, which no player sounds
-  av_packet_rescale_ts(&packet, source_->streams[packet.stream_index]->time_base, route.output->time_base);
+  av_packet_rescale_ts(&packet, time_base, route.output->time_base);
   packet.stream_index = route.output->index;
   packet.pos = -1;
   take(packet);

@@ -10,7 +10,7 @@
 
 namespace ar {
 
-// Copies a file's sound and subtitle packets, unchanged and with their own timestamps, into a muxer beside its new
+// Copies a file's sound and subtitle packets, unchanged and in step with its pictures, into a muxer beside its new
 // video, and its metadata. Reads the file a second time, as far as the video has come.
 class StreamCopy {
  public:
@@ -25,8 +25,8 @@ class StreamCopy {
   const AVDictionary* file_metadata() const { return source_->metadata; }
   const AVStream& video() const { return *video_; }
 
-  // The first timestamp that is written, in the source video's time base: of a part of the video that does not begin at
-  // its start, earlier sound is left out.
+  // The first timestamp of the video that is written, in its own time base, and becomes time 0: of a part of the video
+  // that does not begin at its start, earlier sound is left out.
   void begin_at(std::int64_t pts);
   // Hands on what lies before the time `pts` of the video.
   void copy_until(std::int64_t pts, const PacketTaker& take);
@@ -50,6 +50,7 @@ class StreamCopy {
   ffmpeg::DemuxerPtr source_;
   AVStream* video_ = nullptr;  // of source_
   std::vector<Route> routes_;
+  std::int64_t origin_ = 0;  // of the video's timestamps, which becomes 0
   std::optional<std::int64_t> begin_;
   bool keep_negative_ = true;
   std::int64_t video_read_ = INT64_MIN;  // greatest timestamp of a video packet met

@@ -119,13 +119,14 @@ void VideoSink::encode(ffmpeg::FramePtr picture, std::int64_t pts) {
   if (last_pts_ && pts <= *last_pts_) {
     throw std::invalid_argument(fmt::format("timestamp {} does not follow {}", pts, *last_pts_));
   }
+  if (!last_pts_) first_pts_ = pts;
   if (others_) {
     if (!last_pts_) others_->begin_at(pts);
     others_->copy_until(pts, [this](AVPacket& packet) { mux(packet); });
   }
   if (last_pts_) last_step_ = pts - *last_pts_;
   last_pts_ = pts;
-  encoder_->encode(std::move(picture), pts, [this](AVPacket& packet) { mux_video(packet); });
+  encoder_->encode(std::move(picture), pts - first_pts_, [this](AVPacket& packet) { mux_video(packet); });
 }
 
 void VideoSink::write(OutputFrame frame, std::int64_t pts) {

@@ -39,6 +39,7 @@ class VideoSink : public FrameSink {
   std::unique_ptr<Encoder> encoder_;
   AVStream* video_ = nullptr;  // of muxer_
   std::unique_ptr<StreamCopy> others_;
+  std::int64_t first_pts_ = 0;  // becomes time 0
   std::optional<std::int64_t> last_pts_;
   std::int64_t last_step_ = 0;  // between the last two timestamps
 };

@@ -48,6 +48,11 @@ std::vector<Packet> packets(const std::filesystem::path& file, const std::string
   return found;
 }
 
+// "start_time" or "duration" of the whole file, s.
+double value(const std::filesystem::path& file, const std::string& entry) {
+  return std::stod(run(fmt::format("ffprobe -v error -show_entries format={} -of csv=p=0 '{}'", entry, file.string())));
+}
+
 void expect_same(const std::vector<Packet>& a, const std::vector<Packet>& b, double tolerance_s) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -127,9 +132,30 @@ TEST_F(VideoSound, IsCutWhereThePictureIsCut) {
   sink->finish();
   const std::vector<Packet> sound = packets(folder_ / "out.mp4", "a:0");
   ASSERT_FALSE(sound.empty());
-  EXPECT_NEAR(sound.front().start_s, 0.6, 0.03);  // an AAC packet is 23 ms
-  EXPECT_NEAR(sound.back().start_s, 1.2, 0.03);
-  EXPECT_NEAR(read_clip(folder_ / "out.mp4").time_s.front(), 0.6, 1e-6);
+  EXPECT_NEAR(sound.front().start_s, 0.0, 0.03);  // an AAC packet is 23 ms
+  EXPECT_NEAR(sound.back().start_s, 0.6, 0.03);
+  EXPECT_NEAR(read_clip(folder_ / "out.mp4").time_s.front(), 0.0, 1e-6);
+  EXPECT_NEAR(value(folder_ / "out.mp4", "duration"), 0.6, 0.05);
+}
+
+// A broadcast's clock stands anywhere: the copy begins at 0 all the same, its sound as far from its pictures as before.
+TEST_F(VideoSound, AStreamWhoseClockStandsAtTenHoursBeginsAtZero) {
+  const auto late = folder_ / "late.ts";
+  run(fmt::format(
+      "ffmpeg -v error -i '{}' -map 0:v -map 0:a -c copy -bsf:v h264_mp4toannexb -output_ts_offset 36000 '{}'",
+      in_.string(), late.string()));
+  ASSERT_GT(value(late, "start_time"), 35999.0);
+  const double picture_s = read_clip(late).time_s.front();
+  const std::vector<Packet> before = packets(late, "a:0");
+  for (const char* name : {"out.mp4", "out.mkv", "out.mov"}) {
+    copy_clip(late, folder_ / name, quick());
+    EXPECT_NEAR(value(folder_ / name, "start_time"), 0.0, 0.03) << name;
+    EXPECT_NEAR(value(folder_ / name, "duration"), 2.1, 0.05) << name;
+    const std::vector<Packet> sound = packets(folder_ / name, "a:0");
+    ASSERT_FALSE(sound.empty());
+    EXPECT_EQ(sound.back().hash, before.back().hash);
+    EXPECT_NEAR(sound.back().start_s, before.back().start_s - picture_s, 1.1e-3) << name;
+  }
 }
 
 TEST_F(VideoSound, LastsToItsEndWhenThePictureDoes) {
