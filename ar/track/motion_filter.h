@@ -33,7 +33,6 @@ class MotionFilter {
 
   const Rigid3& world_from_camera() const { return world_from_camera_; }
   cv::Matx66d pose_covariance() const { return covariance_.get_minor<6, 6>(0, 0); }
-  cv::Vec3d turn_rate() const { return turn_rate_; }
   cv::Vec3d velocity() const { return velocity_; }
 
  private:

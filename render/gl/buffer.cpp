@@ -4,7 +4,7 @@
 
 namespace render::gl {
 
-Buffer::Buffer(std::size_t bytes, const void* data, GLenum usage) : bytes_(bytes) {
+Buffer::Buffer(std::size_t bytes, const void* data, GLenum usage) {
   glGenBuffers(1, &id_);
   // GL_COPY_WRITE_BUFFER leaves vertex arrays and their index binding alone.
   glBindBuffer(GL_COPY_WRITE_BUFFER, id_);
@@ -14,7 +14,6 @@ Buffer::Buffer(std::size_t bytes, const void* data, GLenum usage) : bytes_(bytes
 
 Buffer& Buffer::operator=(Buffer&& other) noexcept {
   std::swap(id_, other.id_);
-  std::swap(bytes_, other.bytes_);
   return *this;
 }
 

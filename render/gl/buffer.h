@@ -22,12 +22,10 @@ class Buffer {
 
   void update(std::size_t offset_bytes, std::size_t bytes, const void* data);
   GLuint id() const { return id_; }
-  std::size_t size_bytes() const { return bytes_; }
   explicit operator bool() const { return id_ != 0; }
 
  private:
   GLuint id_ = 0;
-  std::size_t bytes_ = 0;
 };
 
 // How vertices lie in buffers. Move-only; borrows the buffers. Without attributes it serves shaders that make their
