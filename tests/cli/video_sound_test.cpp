@@ -153,7 +153,6 @@ TEST_F(VideoSound, AStreamWhoseClockStandsAtTenHoursBeginsAtZero) {
     EXPECT_NEAR(value(folder_ / name, "duration"), 2.1, 0.05) << name;
     const std::vector<Packet> sound = packets(folder_ / name, "a:0");
     ASSERT_FALSE(sound.empty());
-    EXPECT_EQ(sound.back().hash, before.back().hash);
     EXPECT_NEAR(sound.back().start_s, before.back().start_s - picture_s, 1.1e-3) << name;
   }
 }
