@@ -128,6 +128,8 @@ void read_variable(const std::string& line, Header& header) {
   }
   if (is("PRIMARIES=")) {
     const auto xy = numbers_after<8>(line, "PRIMARIES=");
+    // Some programs write eight zeros where they know none.
+    if (std::ranges::all_of(xy, [](float x) { return x == 0.0F; })) return;
     header.chromaticities = Imf::Chromaticities({xy[0], xy[1]}, {xy[2], xy[3]}, {xy[4], xy[5]}, {xy[6], xy[7]});
   }
 }
