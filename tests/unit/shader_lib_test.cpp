@@ -151,7 +151,7 @@ TEST(ShaderLib, ReflectionNeverReturnsMoreThanItGets) {
       for (const float roughness : {0.06F, 0.5F, 1.0F}) {
         const glm::vec3 returned = shader::environment_brdf(glm::vec3(f0), roughness, cosine);
         EXPECT_GE(returned.r, -0.01F);  // the fit goes a little below
-        EXPECT_LE(returned.r, 1.01F);  // and above
+        EXPECT_LE(returned.r, 1.01F);   // and above
       }
       // Without shadowing the term is 1 / (4 n_l n_v); with it, never more.
       EXPECT_LE(shader::smith_visibility(cosine, cosine, 0.5F), 0.25F / (cosine * cosine) * 1.001F);
