@@ -132,8 +132,6 @@ TEST(VideoRoundTrip, OddSizesKeepTheirSize) {
   EXPECT_EQ(read.format.height, 45);
 }
 
-// ---- time
-
 using Container = std::tuple<VideoCodec, std::string>;
 class Timestamps : public ::testing::TestWithParam<Container> {};
 
